@@ -9703,6 +9703,37 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ClickBox</name>
+    <message>
+        <source>Clicks correct the liver at once</source>
+        <translation>Klicks korrigieren die Leber sofort</translation>
+    </message>
+    <message>
+        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
+        <translation>Wo es Labels gibt, ändert ein Klick auf Leber, die sie auslassen, oder auf das, was keine Leber ist, sie um ihn herum und sonst nirgends. Ein Schritt zurück: Strg+Z.</translation>
+    </message>
+    <message>
+        <source>With labels there: click what is missing, or too much.</source>
+        <translation>Wo es Labels gibt: klicken Sie an, was fehlt oder zu viel ist.</translation>
+    </message>
+    <message>
+        <source>Correcting around the click…</source>
+        <translation>Um den Klick wird korrigiert …</translation>
+    </message>
+    <message>
+        <source>Corrected around the click: %1 ml, up to %2 mm from it.</source>
+        <translation>Um den Klick korrigiert: %1 ml, bis %2 mm von ihm.</translation>
+    </message>
+    <message>
+        <source>The labels say already what the click says.</source>
+        <translation>Die Labels sagen schon, was der Klick sagt.</translation>
+    </message>
+    <message>
+        <source>Not corrected.</source>
+        <translation>Nicht korrigiert.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -9815,30 +9846,6 @@
     <message>
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Sucht die Leber ohne einen Klick: Saatpunkte, die Sie löschen oder ergänzen können.</translation>
-    </message>
-    <message>
-        <source>The labels say already what the click says.</source>
-        <translation>Die Labels sagen schon, was der Klick sagt.</translation>
-    </message>
-    <message>
-        <source>Corrected around the click: %1 ml, up to %2 mm from it.</source>
-        <translation>Um den Klick korrigiert: %1 ml, bis %2 mm von ihm.</translation>
-    </message>
-    <message>
-        <source>Correcting around the click…</source>
-        <translation>Um den Klick wird korrigiert …</translation>
-    </message>
-    <message>
-        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
-        <translation>Wo es Labels gibt, ändert ein Klick auf Leber, die sie auslassen, oder auf das, was keine Leber ist, sie um ihn herum und sonst nirgends. Ein Schritt zurück: Strg+Z.</translation>
-    </message>
-    <message>
-        <source>With labels there: click what is missing, or too much.</source>
-        <translation>Wo es Labels gibt: klicken Sie an, was fehlt oder zu viel ist.</translation>
-    </message>
-    <message>
-        <source>Clicks correct the liver at once</source>
-        <translation>Klicks korrigieren die Leber sofort</translation>
     </message>
 </context>
 <context>

@@ -9703,6 +9703,37 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ClickBox</name>
+    <message>
+        <source>Clicks correct the liver at once</source>
+        <translation>Les clics corrigent le foie aussitôt</translation>
+    </message>
+    <message>
+        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
+        <translation>Là où il y a des étiquettes, un clic sur du foie qu’elles omettent, ou sur ce qui n’est pas du foie, les change autour de lui et nulle part ailleurs. Un pas en arrière : Ctrl+Z.</translation>
+    </message>
+    <message>
+        <source>With labels there: click what is missing, or too much.</source>
+        <translation>Là où il y a des étiquettes : cliquez ce qui manque ou est en trop.</translation>
+    </message>
+    <message>
+        <source>Correcting around the click…</source>
+        <translation>Correction autour du clic…</translation>
+    </message>
+    <message>
+        <source>Corrected around the click: %1 ml, up to %2 mm from it.</source>
+        <translation>Corrigé autour du clic : %1 ml, jusqu’à %2 mm de lui.</translation>
+    </message>
+    <message>
+        <source>The labels say already what the click says.</source>
+        <translation>Les étiquettes disent déjà ce que dit le clic.</translation>
+    </message>
+    <message>
+        <source>Not corrected.</source>
+        <translation>Non corrigé.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -9815,30 +9846,6 @@
     <message>
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Cherche le foie sans un clic : des germes que vous pouvez supprimer ou compléter.</translation>
-    </message>
-    <message>
-        <source>The labels say already what the click says.</source>
-        <translation>Les étiquettes disent déjà ce que dit le clic.</translation>
-    </message>
-    <message>
-        <source>Corrected around the click: %1 ml, up to %2 mm from it.</source>
-        <translation>Corrigé autour du clic : %1 ml, jusqu’à %2 mm de lui.</translation>
-    </message>
-    <message>
-        <source>Correcting around the click…</source>
-        <translation>Correction autour du clic…</translation>
-    </message>
-    <message>
-        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
-        <translation>Là où il y a des étiquettes, un clic sur du foie qu’elles omettent, ou sur ce qui n’est pas du foie, les change autour de lui et nulle part ailleurs. Un pas en arrière : Ctrl+Z.</translation>
-    </message>
-    <message>
-        <source>With labels there: click what is missing, or too much.</source>
-        <translation>Là où il y a des étiquettes : cliquez ce qui manque ou est en trop.</translation>
-    </message>
-    <message>
-        <source>Clicks correct the liver at once</source>
-        <translation>Les clics corrigent le foie aussitôt</translation>
     </message>
 </context>
 <context>

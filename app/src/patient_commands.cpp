@@ -124,7 +124,7 @@ engine::OverHandWork over_hand_work(const Arguments& arguments) {
                                            : engine::OverHandWork::offer;
 }
 
-/// What belongs to growth from seeds means nothing to a network.
+/// @throws UsageError where an option is given that means nothing beside another.
 void refuse_beside(const char* option, const Arguments& arguments,
                    std::initializer_list<const char*> others) {
   for (const char* other : others)
@@ -169,7 +169,7 @@ void correct_by_seeds(Session& session, const fs::path& path, const std::vector<
     throw InputError(path.string(), "", "has no click for or against the liver that the case does not have",
                      "Add one, or leave --correct out");
   session.post(engine::SetSeeds{seeds});
-  for (const segmentation::Click& click : added) session.post(engine::CorrectAround{click, seeds, locked});
+  session.post(engine::CorrectAround{added, seeds, locked});
 }
 
 }  // namespace
@@ -244,7 +244,7 @@ int run_segment(const QStringList& given) {
   if (by_network) refuse_beside("network", arguments, {"seeds", "propose", "only", "region", "resolution"});
   if (corrects)
     refuse_beside("correct", arguments,
-                  {"network", "propose", "only", "region", "keep-edited", "replace-edited"});
+                  {"network", "propose", "only", "region", "resolution", "keep-edited", "replace-edited"});
   const fs::path seeds = proposes || by_network ? arguments.path("seeds") : arguments.required_path("seeds");
   command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
   command.options.structures = structures_from(arguments.value("only"));

@@ -51,7 +51,7 @@ double ml_of(const Engine& engine) {
 }
 
 CorrectAround click_at(const Eigen::Vector3d& p, bool is_liver) {
-  return {{Point<CtFrame>(p), is_liver}, {}, {}};
+  return {{{Point<CtFrame>(p), is_liver}}, {}, {}};
 }
 
 }  // namespace
@@ -61,6 +61,7 @@ class CorrectAroundTest : public QObject {
  private slots:
   void AClickIsAStepThatCanBeUndone_data() { both_runners(); }
   void AClickIsAStepThatCanBeUndone();
+  void SeveralClicksAreOneStepAndCountTogether();
   void WhatWasApprovedIsToBeLookedAtAgain();
   void AClickThatSaysNothingNewOutdatesNothing();
   void WithoutLabelsThereIsNothingToCorrect();
@@ -76,6 +77,23 @@ void CorrectAroundTest::AClickIsAStepThatCanBeUndone() {
   QVERIFY(ml_of(*engine) > before + 20.0);
   QVERIFY(std::abs(outcome.figures.at("changed_ml") - (ml_of(*engine) - before)) < 1e-6);
   QVERIFY(edited_by_hand(engine->snapshot()->state).contains(structure::kParenchyma));
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QCOMPARE(ml_of(*engine), before);
+}
+
+void CorrectAroundTest::SeveralClicksAreOneStepAndCountTogether() {
+  const auto engine = engine_of(Runner::inline_, true);
+  const double before = ml_of(*engine);
+  CorrectAround command = click_at(kMiddle + Eigen::Vector3d(0.0, 0.032, 0.0), true);
+  command.clicks.push_back(click_at(kMiddle + Eigen::Vector3d(0.0, -0.1, 0.07), true).clicks.front());
+  command.clicks.push_back(click_at(kMiddle + Eigen::Vector3d(0.0, -0.032, 0.0), true).clicks.front());
+  command.seeds.liver.resize(3, 3);
+  for (Eigen::Index n = 0; n < 3; ++n)
+    command.seeds.liver.row(n) = command.clicks[static_cast<std::size_t>(n)].p_in_ct.xyz.transpose();
+  const Outcome outcome = done(*engine, command);
+  QCOMPARE(outcome.status, Status::done);
+  QCOMPARE(outcome.notes, std::vector<std::string>{"seed.liver_apart 2"});
+  QVERIFY(std::abs(outcome.figures.at("changed_ml") - (ml_of(*engine) - before)) < 1e-6);
   QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
   QCOMPARE(ml_of(*engine), before);
 }

@@ -56,6 +56,7 @@ class PathologyTest : public QObject {
   void FattyLiverIsDarkerThanItsVessels();
   void ThickSlicesAreMeans();
   void LaypersonClicksWhereTheEyeSees();
+  void LaypersonCorrectsWhatIsMostDeeplyWrong();
 };
 
 void PathologyTest::SamePathologyGivesTheSameBits() {
@@ -129,6 +130,38 @@ void PathologyTest::LaypersonClicksWhereTheEyeSees() {
   const double longest = segmentation::longest_diameter(patient.truth.voxels, structure::kFirstLesion).mm;
   QVERIFY(drawn.lesion_diameter_mm(0) > 0.5 * longest && drawn.lesion_diameter_mm(0) < 1.3 * longest);
   QCOMPARE(seeds.lesion_diameter_mm(0), 0.0);
+}
+
+void PathologyTest::LaypersonCorrectsWhatIsMostDeeplyWrong() {
+  const PathologyCt patient = made(named("hypodense, rim"));
+  const VolumeGrid& grid = patient.truth.voxels.grid();
+  QVERIFY(!correct_as_layperson(patient.truth, patient.truth, 1));
+  // The lesion is missing, and a smaller cube beside the liver is too much.
+  LabelMap labels = patient.truth;
+  std::vector<Label> dense = labels.voxels.dense();
+  for (Label& label : dense)
+    if (label == structure::kFirstLesion) label = structure::kBackground;
+  labels.voxels = LabelVolume(grid, dense);
+  const auto add_cube = [](LabelMap& to) {
+    for (int k = 2; k < 6; ++k)
+      for (int j = 2; j < 6; ++j)
+        for (int i = 2; i < 6; ++i) to.voxels.set({i, j, k}, structure::kParenchyma);
+  };
+  add_cube(labels);
+  const auto voxel_of = [&](const segmentation::Click& click) {
+    return Eigen::Vector3i(grid.index_of(click.p_in_ct).array().round().matrix().cast<int>());
+  };
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const auto click = correct_as_layperson(patient.truth, labels, seed);
+    QVERIFY(click && click->is_liver);
+    QCOMPARE(patient.truth.voxels.at(voxel_of(*click)), structure::kFirstLesion);
+    QVERIFY(*click == *correct_as_layperson(patient.truth, labels, seed));
+  }
+  // With the lesion there, the cube is what is left.
+  LabelMap cube = patient.truth;
+  add_cube(cube);
+  const auto click = correct_as_layperson(patient.truth, cube, 1);
+  QVERIFY(click && !click->is_liver);
 }
 
 QTEST_APPLESS_MAIN(PathologyTest)

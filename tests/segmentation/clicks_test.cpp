@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What clicks do to the labels, on a phantom that is known.
 #include <QtTest>
-#include <random>
 
 #include "glisson/core/error.h"
 #include "glisson/segmentation/segment.h"
+#include "noisy_ct.h"
 #include "points_at.h"
 
 using namespace glisson;
@@ -23,28 +23,21 @@ constexpr double kLesionRadius = 12.0, kTumourRadius = 19.0;
 /// An ellipsoid of 108 HU in fat with a lesion inside, and a dark tumour at its rim that sticks out.
 Phantom phantom() {
   Phantom result;
-  VolumeGrid& grid = result.image.grid;
+  VolumeGrid grid;
   grid.size = {67, 61, 48};
   grid.spacing_mm = {2.0, 2.0, 2.2};
   grid.origin_mm = {-90, -60, 20};
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0.0, 10.0);
-  std::vector<std::int16_t> voxels;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i) {
-        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
-        const bool organ = (p - kLiver).cwiseQuotient(Eigen::Vector3d(50, 42, 38)).norm() < 1.0;
-        const bool tumour = (p - kTumour).norm() < kTumourRadius;
-        const double in_lesion = (p - kLesion).norm() - kLesionRadius;
-        double hu = organ ? 108.0 : -95.0;
-        if (tumour) hu = 62.0;
-        if (in_lesion < 0.0) hu = 64.0;
-        result.liver.push_back(organ || tumour || in_lesion < 0.0 ? 1 : 0);
-        result.tumour.push_back(tumour ? 1 : 0);
-        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
-      }
-  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  result.image = test::noisy_ct(grid, 7, 10.0, [&](const Eigen::Vector3d& p) {
+    const bool organ = (p - kLiver).cwiseQuotient(Eigen::Vector3d(50, 42, 38)).norm() < 1.0;
+    const bool tumour = (p - kTumour).norm() < kTumourRadius;
+    const double in_lesion = (p - kLesion).norm() - kLesionRadius;
+    double hu = organ ? 108.0 : -95.0;
+    if (tumour) hu = 62.0;
+    if (in_lesion < 0.0) hu = 64.0;
+    result.liver.push_back(organ || tumour || in_lesion < 0.0 ? 1 : 0);
+    result.tumour.push_back(tumour ? 1 : 0);
+    return hu;
+  });
   return result;
 }
 

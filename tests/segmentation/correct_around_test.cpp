@@ -3,10 +3,10 @@
 #include "glisson/segmentation/correct_around.h"
 
 #include <QtTest>
-#include <random>
 
 #include "complaint.h"
 #include "glisson/core/error.h"
+#include "noisy_ct.h"
 #include "points_at.h"
 
 using namespace glisson;
@@ -25,27 +25,20 @@ struct Phantom {
 
 Phantom phantom() {
   Phantom result;
-  VolumeGrid& grid = result.image.grid;
+  VolumeGrid grid;
   grid.size = {110, 98, 60};
   grid.spacing_mm = {1.5, 1.5, 2.0};
   grid.origin_mm = {-90, -60, 20};
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0.0, 10.0);
-  std::vector<std::int16_t> voxels;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i) {
-        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
-        const bool tumour = (p - kTumour).norm() < kTumourRadius;
-        const bool liver = tumour || (p - kLiver).cwiseQuotient(Eigen::Vector3d(44, 42, 38)).norm() < 1.0;
-        const bool stomach = !liver && (p - kStomach).norm() < kStomachRadius;
-        result.liver.push_back(liver);
-        result.tumour.push_back(tumour);
-        result.stomach.push_back(stomach);
-        const double hu = tumour ? 62.0 : liver ? 108.0 : stomach ? 45.0 : -95.0;
-        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
-      }
-  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  result.image = test::noisy_ct(grid, 7, 10.0, [&](const Eigen::Vector3d& p) {
+    const bool tumour = (p - kTumour).norm() < kTumourRadius;
+    const bool liver = tumour || (p - kLiver).cwiseQuotient(Eigen::Vector3d(44, 42, 38)).norm() < 1.0;
+    const bool stomach = !liver && (p - kStomach).norm() < kStomachRadius;
+    result.liver.push_back(liver);
+    result.tumour.push_back(tumour);
+    result.stomach.push_back(stomach);
+    const double hu = tumour ? 62.0 : liver ? 108.0 : stomach ? 45.0 : -95.0;
+    return hu;
+  });
   return result;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one click makes of a lesion, on phantoms whose truth is a formula.
 #include <QtTest>
-#include <random>
 
 #include "glisson/core/error.h"
 #include "glisson/segmentation/segment.h"
+#include "noisy_ct.h"
 #include "points_at.h"
 
 using namespace glisson;
@@ -28,31 +28,24 @@ struct Phantom {
 /// between lesion and liver: sigma of an even point spread.
 Phantom phantom(const std::function<double(const Vec&, double f)>& look, double blur_mm = 0.0) {
   Phantom result;
-  VolumeGrid& grid = result.image.grid;
+  VolumeGrid grid;
   grid.size = {80, 72, 50};
   grid.spacing_mm = {1.5, 1.5, 2.0};
   grid.origin_mm = {-60, -50, 20};
-  std::mt19937 random(11);
-  std::normal_distribution<double> noise(0.0, 12.0);
-  std::vector<std::int16_t> voxels;
   std::vector<Label> labels;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i) {
-        const Vec p = Vec(i, j, k).cwiseProduct(grid.spacing_mm);
-        const bool liver = (p - kMiddle).cwiseQuotient(Vec(52, 46, 42)).norm() < 1.0;
-        const double f = ((p - kMiddle).cwiseQuotient(Vec(1.15, 0.9, 1.0)).norm() - kRadius);
-        const bool vessel = std::hypot(p.x() - 60.0, p.y() - 54.0 + 0.9 * kRadius + 3.0) < 4.0;
-        double hu = liver ? kLiver : -90.0;
-        if (vessel && liver) hu = 170.0;
-        if (f < 0.0 && blur_mm == 0.0) hu = look(p, f);
-        const double share = blur_mm > 0.0 ? 0.5 * std::erfc(f / (std::sqrt(2.0) * blur_mm)) : 0.0;
-        if (blur_mm > 0.0 && liver && !vessel) hu += share * (look(p, f) - hu);
-        result.lesion.push_back(f < 0.0 ? 1 : 0);
-        labels.push_back(liver ? structure::kParenchyma : structure::kBackground);
-        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
-      }
-  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  result.image = test::noisy_ct(grid, 11, 12.0, [&](const Vec& p) {
+    const bool liver = (p - kMiddle).cwiseQuotient(Vec(52, 46, 42)).norm() < 1.0;
+    const double f = ((p - kMiddle).cwiseQuotient(Vec(1.15, 0.9, 1.0)).norm() - kRadius);
+    const bool vessel = std::hypot(p.x() - 60.0, p.y() - 54.0 + 0.9 * kRadius + 3.0) < 4.0;
+    double hu = liver ? kLiver : -90.0;
+    if (vessel && liver) hu = 170.0;
+    if (f < 0.0 && blur_mm == 0.0) hu = look(p, f);
+    const double share = blur_mm > 0.0 ? 0.5 * std::erfc(f / (std::sqrt(2.0) * blur_mm)) : 0.0;
+    if (blur_mm > 0.0 && liver && !vessel) hu += share * (look(p, f) - hu);
+    result.lesion.push_back(f < 0.0 ? 1 : 0);
+    labels.push_back(liver ? structure::kParenchyma : structure::kBackground);
+    return hu;
+  });
   result.kept.voxels = LabelVolume(grid, labels);
   result.kept.infos = {structure_info(structure::kParenchyma)};
   return result;

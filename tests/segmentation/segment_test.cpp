@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "noisy_ct.h"
 #include "points_at.h"
 
 using namespace glisson;
@@ -22,31 +23,24 @@ struct Phantom {
 /// dark lesion in it; noise of 12 HU.
 Phantom phantom() {
   Phantom result;
-  VolumeGrid& grid = result.image.grid;
+  VolumeGrid grid;
   grid.size = {80, 64, 56};
   grid.spacing_mm = {2.0, 2.0, 2.2};
   grid.origin_mm = {-90, -60, 20};
-  std::mt19937 random(5);
-  std::normal_distribution<double> noise(0.0, 12.0);
-  std::vector<std::int16_t> voxels;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i) {
-        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
-        const bool liver =
-            (p - Eigen::Vector3d(62, 62, 60)).cwiseQuotient(Eigen::Vector3d(46, 40, 38)).norm() < 1.0;
-        const bool neighbour = (p - Eigen::Vector3d(134, 62, 60)).norm() < 26.0;
-        const bool bridge = p.x() > 100 && p.x() < 120 && std::hypot(p.y() - 62, p.z() - 60) < 6.0;
-        const bool vessel = liver && std::hypot(p.y() - 50, p.z() - 60) < 4.0;
-        const bool lesion = (p - Eigen::Vector3d(50, 75, 60)).norm() < 9.0;
-        double hu = -100.0;
-        if (neighbour || bridge) hu = 118.0;
-        if (liver) hu = vessel ? 160.0 : lesion ? 60.0 : 110.0;
-        result.liver.push_back(liver ? 1 : 0);
-        result.lesion.push_back(lesion ? 1 : 0);
-        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
-      }
-  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  result.image = test::noisy_ct(grid, 5, 12.0, [&](const Eigen::Vector3d& p) {
+    const bool liver =
+        (p - Eigen::Vector3d(62, 62, 60)).cwiseQuotient(Eigen::Vector3d(46, 40, 38)).norm() < 1.0;
+    const bool neighbour = (p - Eigen::Vector3d(134, 62, 60)).norm() < 26.0;
+    const bool bridge = p.x() > 100 && p.x() < 120 && std::hypot(p.y() - 62, p.z() - 60) < 6.0;
+    const bool vessel = liver && std::hypot(p.y() - 50, p.z() - 60) < 4.0;
+    const bool lesion = (p - Eigen::Vector3d(50, 75, 60)).norm() < 9.0;
+    double hu = -100.0;
+    if (neighbour || bridge) hu = 118.0;
+    if (liver) hu = vessel ? 160.0 : lesion ? 60.0 : 110.0;
+    result.liver.push_back(liver ? 1 : 0);
+    result.lesion.push_back(lesion ? 1 : 0);
+    return hu;
+  });
   return result;
 }
 

@@ -319,6 +319,12 @@ void SegmentationSeedsTest::AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff(
   click(wrong);
   QCOMPARE(at(wrong), structure::kBackground);
   QVERIFY2(notes().contains(QLatin1String("Corrected around the click: ")), qPrintable(notes()));
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QCOMPARE(at(wrong), structure::kParenchyma);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QVERIFY(settle());
+  QCOMPARE(at(wrong), structure::kBackground);
   const long lesion = count(structure::kFirstLesion), portal = count(structure::kPortalVein);
   // Beside it that was too much.
   const Eigen::Vector3d beside = wrong + Eigen::Vector3d(0.0035, 0.0, 0.0);

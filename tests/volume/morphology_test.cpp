@@ -51,6 +51,17 @@ void MorphologyTest::DistanceAgreesWithBruteForce() {
       });
       QVERIFY(std::abs(best - distance[at]) <= 1e-5 * std::max(1.0, best));
     });
+    const std::vector<float> depth = squared_depth_mm2(mask);
+    const Mask rest = complement(mask);
+    each(mask, [&](const Eigen::Vector3i& a, std::size_t at) {
+      QCOMPARE(rest.voxels[at] != 0, mask.voxels[at] == 0);
+      double best = 1e30;
+      each(mask, [&](const Eigen::Vector3i& b, std::size_t other) {
+        if (mask.voxels[other] == 0)
+          best = std::min(best, (a - b).cast<double>().cwiseProduct(mask.spacing_mm).squaredNorm());
+      });
+      QVERIFY(std::abs(best - depth[at]) <= 1e-5 * std::max(1.0, best));
+    });
   }
 }
 

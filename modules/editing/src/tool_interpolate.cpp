@@ -24,10 +24,8 @@ Mask slice_of(const Mask& mask, int axis, int number) {
 
 /// Distance in mm to the shape outside it, and minus the distance to the rest inside.
 std::vector<float> signed_distance(const Mask& slice) {
-  Mask rest = slice;
-  for (std::uint8_t& voxel : rest.voxels) voxel = voxel == 0 ? 1 : 0;
   std::vector<float> distance = squared_distance_mm2(slice);
-  const std::vector<float> depth = squared_distance_mm2(rest);
+  const std::vector<float> depth = squared_depth_mm2(slice);
   // A slice that is filled to the volume's edges has no rest: as deep as any.
   constexpr float kDeep = 1e4F;
   for (std::size_t n = 0; n < distance.size(); ++n)

@@ -31,7 +31,7 @@ class Alterer {
         random_(RunContext({}, nullptr, seed).random("insilico.altered_ct")) {
     Mask liver(grid_.size, grid_.spacing_mm);
     liver.voxels = inside_liver(truth);
-    depth2_ = away_from_other(liver);
+    depth2_ = squared_depth_mm2(liver);
     beyond2_ = squared_distance_mm2(liver);
     Mask cava(grid_.size, grid_.spacing_mm);
     cava.voxels = truth.voxels.mask([](Label label) { return label == structure::kVenaCava; });
@@ -101,11 +101,6 @@ class Alterer {
   }
 
  private:
-  std::vector<float> away_from_other(const Mask& liver) const {
-    Mask other = liver;
-    for (auto& voxel : other.voxels) voxel = voxel == 0 ? 1 : 0;
-    return squared_distance_mm2(other);
-  }
   double between(double low, double high) { return low + (high - low) * uniform01(random_); }
   Vec centre(const Eigen::Vector3i& voxel) const { return 1e3 * grid_.p_in_ct(voxel.cast<double>()).xyz; }
 

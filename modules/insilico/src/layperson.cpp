@@ -31,9 +31,7 @@ class Eye {
   }
 
   Points inside(int count) {
-    Mask beyond = liver_;
-    for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
-    const std::vector<float> depth2 = squared_distance_mm2(beyond);
+    const std::vector<float> depth2 = squared_depth_mm2(liver_);
     return draw(where([&](std::size_t at, const Eigen::Vector3i&) { return depth2[at] > kDeep * kDeep; }),
                 count, kInsideApart);
   }
@@ -76,9 +74,7 @@ class Eye {
   Points middle_of(const LabelMap& truth, Label label) {
     Mask body(grid_.size, grid_.spacing_mm);
     body.voxels = truth.voxels.mask([&](Label other) { return other == label; });
-    Mask beyond = body;
-    for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
-    const std::vector<float> depth2 = squared_distance_mm2(beyond);
+    const std::vector<float> depth2 = squared_depth_mm2(body);
     float deepest = 0.0F;
     for (std::size_t at = 0; at < depth2.size(); ++at)
       if (body.voxels[at] != 0) deepest = std::max(deepest, depth2[at]);
@@ -178,13 +174,11 @@ Deepest deepest_of(const Mask& body) {
   const VoxelBox box =
       bounding_box(body.size, body.spacing_mm, body.voxels, 2.0 * body.spacing_mm.maxCoeff());
   if (box.empty()) return deepest;
-  Mask beyond = crop(body.size, body.spacing_mm, body.voxels, box);
-  for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
-  const std::vector<float> depth2 = squared_distance_mm2(beyond);
+  const std::vector<float> depth2 = squared_depth_mm2(crop(body.size, body.spacing_mm, body.voxels, box));
   std::size_t at = 0;
-  for (int k = 0; k < beyond.size.z(); ++k)
-    for (int j = 0; j < beyond.size.y(); ++j)
-      for (int i = 0; i < beyond.size.x(); ++i, ++at)
+  for (int k = 0; k < box.size().z(); ++k)
+    for (int j = 0; j < box.size().y(); ++j)
+      for (int i = 0; i < box.size().x(); ++i, ++at)
         if (depth2[at] > deepest.mm2 && std::isfinite(depth2[at]))
           deepest = {box.low + Eigen::Vector3i(i, j, k), depth2[at]};
   return deepest;

@@ -22,7 +22,6 @@ constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may
 constexpr double kFineBlur = 0.8;      // mm: fine voxels carry more noise than the diffusion tells from edges
 constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
 constexpr double kBite = 50.0;  // mm: a tumour at the rim that the liver's contour leaves out is smaller
-constexpr double kHeld = 4.0;   // mm around a click that are its side's whatever the CT shows
 constexpr double kMostVoxels = 50e6;  // of the fine contour: about 3 GB
 /// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
 constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;

@@ -7,6 +7,9 @@
 
 namespace glisson::segmentation {
 
+/// mm around a click that are its side's whatever the CT shows; of two clicks the nearer's.
+inline constexpr double kHeld = 4.0;
+
 /// The nearest voxel of the field to each point; kept inside.
 std::vector<Eigen::Vector3i> voxels_of(const VolumeGrid& image, const Field& field, const Points& points);
 

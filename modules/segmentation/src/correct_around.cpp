@@ -21,15 +21,32 @@ constexpr double kMostReach = 60.0;  // mm from the click
 constexpr double kRim = 12.0;        // mm around that, whose labels are evidence
 constexpr double kLeastDepth = 6.0;  // mm: an error that can be seen and clicked is as deep
 constexpr double kReach = 2.5;       // of the depth, beyond which labels stay
-constexpr double kHeld = 4.0;        // mm around a click that are its side's
 constexpr float kWeight = 0.1F;      // per mm, of evidence and odds; a border costs 0.1 to 1 per mm^2
-constexpr double kLikeClick = 4.0;   // mm around a click that show what it means
 constexpr double kGreyOfLiver = 110.0, kNoiseOfLiver = 8.0;  // HU, that an MRI's greys are carried to
 
 bool is_liver_tissue(Label label) { return label == structure::kParenchyma || is_lesion(label); }
 
+enum class Holder { nobody, click, other };
+
+/// Whose side a place is whatever the cut says: that of the nearest click, if it is near.
+/// @param others clicks for the other side.
+Holder holder_of(const Click& click, const Points& others, const Eigen::Vector3d& p) {
+  double away = (p - click.p_in_ct.xyz).norm();
+  Holder holder = Holder::click;
+  for (Eigen::Index n = 0; n < others.rows(); ++n) {
+    const double this_far = (p - others.row(n).transpose()).norm();
+    if (this_far >= away) continue;
+    away = this_far;
+    holder = Holder::other;
+  }
+  return 1e3 * away <= kHeld ? holder : Holder::nobody;
+}
+
 /// The surroundings of a click.
 struct Scene {
+  VoxelBox box;     ///< of the image
+  VolumeGrid part;  ///< the image's voxels in it
+  Points others;    ///< clicks for the other side
   Field ct;
   Mask liver, own;                ///< own: what lies on the click's side of the border
   Mask fixed;                     ///< neither gained nor lost
@@ -37,9 +54,8 @@ struct Scene {
   Eigen::Vector3i click;
   double depth = 0.0, reach = 0.0;  ///< mm
 
-  double mm_between(const Eigen::Vector3i& a, const Eigen::Vector3i& b) const {
-    return (a - b).cast<double>().cwiseProduct(ct.spacing_mm).norm();
-  }
+  /// The mask, and one voxel around it.
+  Mask with_rim(const Mask& mask) const { return dilated(mask, 1.1 * ct.spacing_mm.maxCoeff()); }
 };
 
 /// The greys of an MRI by two of the liver's figures, so that differences in HU mean the same.
@@ -52,11 +68,6 @@ void carry_to_ct(Field& field, const Mask& liver) {
       1e-3, kDeviationPerMad * static_cast<double>(median_absolute_deviation(std::move(greys), middle)));
   for (float& v : field.values)
     v = static_cast<float>(kGreyOfLiver + kNoiseOfLiver / sigma * static_cast<double>(v - middle));
-}
-
-Mask inverse(Mask mask) {
-  for (auto& v : mask.voxels) v = v == 0 ? 1 : 0;
-  return mask;
 }
 
 /// Calls visit(voxel, its offset) for each voxel of a grid.
@@ -82,55 +93,52 @@ Mask fixed_of(const LabelMap& labels, const std::vector<Label>& locked, const Fi
   return sampled(labels.voxels.grid(), labels.voxels.mask(is_fixed), grid);
 }
 
-/// What lies nearer to a click for the other side than to this one, within the reach of its say.
-void hold_others(const Points& others, const VolumeGrid& grid, Scene& scene) {
-  const std::vector<Eigen::Vector3i> places = voxels_of(grid, scene.ct, others);
-  each_voxel(scene.ct, [&](const Eigen::Vector3i& v, std::size_t at) {
-    for (const Eigen::Vector3i& place : places) {
-      const double mm = scene.mm_between(v, place);
-      if (mm < kHeld && mm < static_cast<double>(scene.from_click[at])) scene.fixed.voxels[at] = 1;
-    }
-  });
-}
-
-Scene scene_of(const Image& part, const LabelMap& labels, const Seeds& seeds, const Click& click,
+Scene scene_of(const Image& image, const LabelMap& all_labels, const Seeds& seeds, const Click& click,
                const std::vector<Label>& locked) {
   Scene scene;
+  const Points place = click.p_in_ct.xyz.transpose();
+  scene.box = box_around(image.grid, place, kMostReach + kRim);
+  const Image part = part_of(image, scene.box);
+  const LabelMap labels = part_of(all_labels, scene.box);
+  const Seeds near = part_of(seeds, part.grid, {});
+  scene.part = part.grid;
+  scene.others = click.is_liver ? near.background : near.liver;
   scene.ct = resampled(part, {Eigen::Vector3i::Zero(), part.grid.size}, kSpacing);
   scene.liver = sampled(part.grid, inside_liver(labels), scene.ct);
   if (scene.liver.count() == 0) return scene;
   if (part.modality != Modality::ct) carry_to_ct(scene.ct, scene.liver);
   denoise(scene.ct);
-  scene.own = click.is_liver ? scene.liver : inverse(scene.liver);
-  Points one(1, 3);
-  one.row(0) = click.p_in_ct.xyz.transpose();
-  scene.click = voxels_of(part.grid, scene.ct, one).front();
+  scene.own = click.is_liver ? scene.liver : complement(scene.liver);
+  scene.click = voxels_of(part.grid, scene.ct, place).front();
   const float outside2 = squared_distance_mm2(scene.own)[scene.ct.offset(scene.click)];
   scene.depth = std::min(std::sqrt(static_cast<double>(outside2)), kMostReach) + kLeastDepth;
   scene.reach = std::min(kReach * scene.depth, kMostReach);
+  scene.fixed = fixed_of(labels, locked, scene.ct);
   scene.from_click.resize(scene.own.voxels.size());
   each_voxel(scene.ct, [&](const Eigen::Vector3i& v, std::size_t at) {
-    scene.from_click[at] = static_cast<float>(scene.mm_between(v, scene.click));
+    scene.from_click[at] =
+        static_cast<float>((v - scene.click).cast<double>().cwiseProduct(scene.ct.spacing_mm).norm());
+    const Eigen::Vector3d index = scene.ct.first_index + v.cast<double>().cwiseProduct(scene.ct.step);
+    if (holder_of(click, scene.others, part.grid.p_in_ct(index).xyz) == Holder::other)
+      scene.fixed.voxels[at] = 1;
   });
-  scene.fixed = fixed_of(labels, locked, scene.ct);
-  hold_others(click.is_liver ? seeds.background : seeds.liver, part.grid, scene);
   return scene;
 }
 
 /// What is like the click, or like its side of the border, against what lies on the other side: there the
 /// farther from the click the more, since near it much of that is wrong.
 IntensityRatio evidence_of(const Scene& scene) {
-  IntensityHistogram own, click, other;
+  IntensityHistogram own, other;
   double owned = 0.0, clicked = 0.0;
   for (std::size_t i = 0; i < scene.ct.values.size(); ++i) {
     if (scene.own.voxels[i] != 0) owned += 1.0;
-    if (scene.from_click[i] <= static_cast<float>(kLikeClick)) clicked += 1.0;
+    if (scene.from_click[i] <= static_cast<float>(kHeld)) clicked += 1.0;
   }
   for (std::size_t i = 0; i < scene.ct.values.size(); ++i) {
     const float hu = scene.ct.values[i];
     // The click alone counts as much as all that lies on its side.
     if (scene.own.voxels[i] != 0) own.add(hu);
-    if (scene.from_click[i] <= static_cast<float>(kLikeClick))
+    if (scene.from_click[i] <= static_cast<float>(kHeld))
       for (int d = -10; d <= 10; ++d)
         own.add(hu + static_cast<float>(d), std::max(owned, 1.0) / (21.0 * clicked));
     const double far = std::min(1.0, static_cast<double>(scene.from_click[i]) / kMostReach);
@@ -146,7 +154,7 @@ Cancellable<Mask> changed_by(const Scene& scene, const RunContext& context) {
   Mask open = scene.ct.empty_mask();
   for (std::size_t i = 0; i < open.voxels.size(); ++i)
     open.voxels[i] = scene.own.voxels[i] == 0 && scene.fixed.voxels[i] == 0 && scene.from_click[i] < reach;
-  const Mask beside = dilated(open, 1.1 * scene.ct.spacing_mm.maxCoeff());
+  const Mask beside = scene.with_rim(open);
   std::vector<float> reward(open.voxels.size(), 0.0F);
   for (std::size_t i = 0; i < open.voxels.size(); ++i) {
     if (scene.own.voxels[i] != 0 && beside.voxels[i] != 0) {
@@ -172,18 +180,20 @@ Cancellable<Mask> changed_by(const Scene& scene, const RunContext& context) {
   return changed;
 }
 
-/// What the change encloses of the other side goes with it.
-void take_enclosed(const Scene& scene, const Mask& clicks, Mask& changed) {
+/// What the change encloses of the other side goes with it, unless a click lies in it.
+void take_enclosed(const Scene& scene, Mask& changed) {
   Mask all = scene.own;
   unite(all, changed);
   std::vector<long> sizes;
-  const std::vector<int> pieces = connected_components(inverse(all), sizes);
+  const std::vector<int> pieces = connected_components(complement(all), sizes);
   std::vector<std::uint8_t> stays(sizes.size() + 1, 0), touches(sizes.size() + 1, 0);
-  const Mask near = dilated(changed, 1.1 * scene.ct.spacing_mm.maxCoeff());
+  for (const Eigen::Vector3i& v : voxels_of(scene.part, scene.ct, scene.others))
+    stays[static_cast<std::size_t>(pieces[scene.ct.offset(v)])] = 1;
+  const Mask near = scene.with_rim(changed);
   each_voxel(scene.ct, [&](const Eigen::Vector3i& v, std::size_t at) {
     const auto piece = static_cast<std::size_t>(pieces[at]);
     const bool at_edge = (v.array() == 0).any() || (v.array() == scene.ct.size.array() - 1).any();
-    if (at_edge || piece == 1 || scene.fixed.voxels[at] != 0 || clicks.voxels[at] != 0) stays[piece] = 1;
+    if (at_edge || piece == 1 || scene.fixed.voxels[at] != 0) stays[piece] = 1;
     if (near.voxels[at] != 0) touches[piece] = 1;
   });
   for (std::size_t i = 0; i < changed.voxels.size(); ++i) {
@@ -194,39 +204,22 @@ void take_enclosed(const Scene& scene, const Mask& clicks, Mask& changed) {
 
 /// Whether the change hangs together with what lies on its side already.
 bool is_attached(const Scene& scene, const Mask& changed) {
-  const Mask near = dilated(changed, 1.1 * scene.ct.spacing_mm.maxCoeff());
+  const Mask near = scene.with_rim(changed);
   for (std::size_t i = 0; i < near.voxels.size(); ++i)
     if (near.voxels[i] != 0 && scene.own.voxels[i] != 0) return true;
   return false;
 }
 
-enum class Holder { nobody, click, other };
-
-/// Whose side a place is whatever the cut says: that of the nearest click, if it is near.
-Holder holder_of(const Click& click, const Points& others, const Eigen::Vector3d& p) {
-  double away = (p - click.p_in_ct.xyz).norm();
-  Holder holder = Holder::click;
-  for (Eigen::Index n = 0; n < others.rows(); ++n) {
-    const double this_far = (p - others.row(n).transpose()).norm();
-    if (this_far >= away) continue;
-    away = this_far;
-    holder = Holder::other;
-  }
-  return 1e3 * away <= kHeld ? holder : Holder::nobody;
-}
-
 /// Puts the change into the labels.
-void paint(const Scene& scene, const Mask& changed, const Click& click, const Points& others,
-           const std::vector<Label>& locked, const VoxelBox& box, CorrectedAround& result) {
+void paint(const Scene& scene, const Mask& changed, const Click& click, const std::vector<Label>& locked,
+           CorrectedAround& result) {
   LabelVolume& labels = result.labels.voxels;
   Mask side = scene.own;
   unite(side, changed);
   const Field phi = smooth_boundary(side, scene.ct);
-  VolumeGrid part = labels.grid();
-  part.size = box.size();
-  const VoxelBox around = image_box(part, scene.ct, changed, kSpacing);
+  const VoxelBox around = image_box(scene.part, scene.ct, changed, kSpacing);
   const std::vector<float> values = on_image(phi, around);
-  const Mask near = dilated(changed, 1.1 * scene.ct.spacing_mm.maxCoeff());
+  const Mask near = scene.with_rim(changed);
   const Label to = click.is_liver ? structure::kParenchyma : structure::kBackground;
   std::size_t at = 0;
   for (int k = around.low.z(); k < around.high.z(); ++k)
@@ -234,9 +227,9 @@ void paint(const Scene& scene, const Mask& changed, const Click& click, const Po
       for (int i = around.low.x(); i < around.high.x(); ++i, ++at) {
         const Eigen::Vector3i v = scene.ct.voxel_of(Eigen::Vector3d(i, j, k));
         if (!scene.ct.contains(v) || near.voxels[scene.ct.offset(v)] == 0) continue;
-        const Eigen::Vector3i place = box.low + Eigen::Vector3i(i, j, k);
+        const Eigen::Vector3i place = scene.box.low + Eigen::Vector3i(i, j, k);
         const Eigen::Vector3d p = labels.grid().p_in_ct(place.cast<double>()).xyz;
-        const Holder holder = holder_of(click, others, p);
+        const Holder holder = holder_of(click, scene.others, p);
         if (holder == Holder::other || (holder == Holder::nobody && !(values[at] < 0.0F))) continue;
         const Label label = labels.at(place);
         const bool changes = click.is_liver ? label == structure::kBackground : is_liver_tissue(label);
@@ -258,9 +251,7 @@ std::string number_of(const Click& click, const Seeds& seeds) {
 void check(const Image& image, const LabelMap& labels, const Click& click, const std::vector<Label>& locked) {
   if (image.empty()) throw InputError("image", "", "is empty", "Import a CT or MRI first");
   require_same_grid(labels.voxels.grid(), image.grid, "labels that are corrected");
-  const Eigen::Vector3d index = image.grid.index_of(click.p_in_ct);
-  if (!index.allFinite() ||
-      !image.grid.contains(index.array().round().max(-1.0).min(1e6).matrix().cast<int>()))
+  if (!holds(image.grid, click.p_in_ct.xyz))
     throw InputError("seeds", click.is_liver ? "liver" : "background", "lies outside the image",
                      "Check that the seeds belong to this image and are in mm (LPS)");
   if (is_among(locked, structure::kParenchyma))
@@ -290,13 +281,7 @@ Cancellable<CorrectedAround> correct_around(const Image& image, const LabelMap& 
   check(image, labels, click, locked);
   context.progress(0.0, "segmentation.around");
   CorrectedAround result{labels, 0.0, 0, {}};
-  Points place(1, 3);
-  place.row(0) = click.p_in_ct.xyz.transpose();
-  const VoxelBox box = box_around(image.grid, place, kMostReach + kRim);
-  const Image part = part_of(image, box);
-  const LabelMap before = part_of(labels, box);
-  const Seeds near = part_of(seeds, part.grid, {});
-  const Scene scene = scene_of(part, before, near, click, locked);
+  const Scene scene = scene_of(image, labels, seeds, click, locked);
   const std::string apart = "seed.liver_apart " + number_of(click, seeds);
   if (scene.liver.count() == 0) {
     if (click.is_liver) result.notes.push_back(apart);
@@ -310,14 +295,10 @@ Cancellable<CorrectedAround> correct_around(const Image& image, const LabelMap& 
     result.notes.push_back(apart);
     return result;
   }
-  const Points& others = click.is_liver ? near.background : near.liver;
-  Mask clicks = scene.ct.empty_mask();
-  for (const Eigen::Vector3i& v : voxels_of(part.grid, scene.ct, others))
-    clicks.voxels[scene.ct.offset(v)] = 1;
-  if (changed->count() > 0) take_enclosed(scene, clicks, *changed);
+  if (changed->count() > 0) take_enclosed(scene, *changed);
   // Also where the coarse voxel around the click is its side's already, what the click is on must become so.
   changed->voxels[scene.ct.offset(scene.click)] = 1;
-  paint(scene, *changed, click, others, locked, box, result);
+  paint(scene, *changed, click, locked, result);
   if (click.is_liver && result.voxels_changed > 0 &&
       std::none_of(result.labels.infos.begin(), result.labels.infos.end(),
                    [](const LabelInfo& info) { return info.code == structure::kParenchyma; }))

@@ -175,9 +175,7 @@ float speed_at(const Field& phi, const ContourForces& forces, std::size_t at, co
 }  // namespace
 
 Field signed_distance(const Mask& mask, const Field& grid) {
-  Mask outside = mask;
-  for (auto& v : outside.voxels) v = v == 0 ? 1 : 0;
-  const std::vector<float> to_inside = squared_distance_mm2(mask), to_outside = squared_distance_mm2(outside);
+  const std::vector<float> to_inside = squared_distance_mm2(mask), to_outside = squared_depth_mm2(mask);
   Field phi = grid.filled(0.0F);
   const float half = 0.5F * static_cast<float>(mask.spacing_mm.minCoeff());
   for (std::size_t i = 0; i < phi.values.size(); ++i)

@@ -132,9 +132,7 @@ Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const
   for (std::size_t i = 0; i < own.voxels.size(); ++i)
     if (result.open.voxels[i] == 0 || result.rival.voxels[i] != 0) own.voxels[i] = 0;
   // Where no neck parts a click outside from those inside, fronts from both meet half way.
-  Mask beyond = own;
-  for (auto& v : beyond.voxels) v = v == 0 ? 1 : 0;
-  const std::vector<float> depth2 = squared_distance_mm2(beyond);
+  const std::vector<float> depth2 = squared_depth_mm2(own);
   LiverSeeds within;
   for (const Eigen::Vector3i& p : seeds.inside)
     if (own.voxels[ct.offset(p)] != 0) within.inside.push_back(p);

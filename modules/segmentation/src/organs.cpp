@@ -16,11 +16,6 @@ Mask between(const Field& ct, double low, double high) {
   return mask;
 }
 
-Mask complement(Mask mask) {
-  for (auto& v : mask.voxels) v = v == 0 ? 1 : 0;
-  return mask;
-}
-
 /// The part of `mask` in the box around a voxel, `radius_mm` to each side.
 VoxelBox box_around(const Field& ct, const Eigen::Vector3i& centre, double radius_mm) {
   VoxelBox box;

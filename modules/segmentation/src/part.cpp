@@ -21,6 +21,11 @@ VolumeGrid part_of(const VolumeGrid& grid, const VoxelBox& box) {
 
 }  // namespace
 
+bool holds(const VolumeGrid& image, const Eigen::Vector3d& p_in_ct) {
+  const Eigen::Vector3d index = image.index_of(Point<CtFrame>(p_in_ct));
+  return index.allFinite() && image.contains(index.array().round().max(-1.0).min(1e6).matrix().cast<int>());
+}
+
 VoxelBox box_of(const VolumeGrid& grid, const std::optional<Eigen::AlignedBox3d>& region) {
   VoxelBox box{Eigen::Vector3i::Zero(), grid.size};
   if (!region) return box;

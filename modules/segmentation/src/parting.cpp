@@ -107,8 +107,7 @@ std::vector<Face> faces_between(const Eigen::Vector3i& size, const std::vector<i
 
 /// What is not tissue, without specks of noise in it.
 Mask beyond_of(const Mask& tissue) {
-  Mask beyond = tissue;
-  for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
+  Mask beyond = complement(tissue);
   std::vector<long> sizes;
   const std::vector<int> number = connected_components(beyond, sizes);
   const double voxel_mm3 = tissue.spacing_mm.prod();

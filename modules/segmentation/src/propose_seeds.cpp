@@ -23,13 +23,6 @@ constexpr float kAir = -200.0F;  // HU
 constexpr double kRight = 0.04;  // metres from the patient's middle: no heart's right half reaches so far
 constexpr double kUnlike = 3.0;  // sigmas
 
-/// Distance to the nearest voxel that is not set, squared.
-std::vector<float> depth2_of(const Mask& mask) {
-  Mask beyond = mask;
-  for (auto& v : beyond.voxels) v = v == 0 ? 1 : 0;
-  return squared_distance_mm2(beyond);
-}
-
 template <class Wanted>
 Mask where(const Field& ct, const Wanted& wanted) {
   Mask mask = ct.empty_mask();
@@ -75,7 +68,7 @@ struct Core {
 
 /// The one of them that has most on the right.
 Core core_of(const Scene& scene, const Mask& tissue) {
-  const std::vector<float> depth2 = depth2_of(tissue);
+  const std::vector<float> depth2 = squared_depth_mm2(tissue);
   std::vector<long> sizes;
   const std::vector<int> component =
       connected_components(where(scene.ct, [&](std::size_t i) { return depth2[i] > kCore * kCore; }), sizes);
@@ -145,7 +138,7 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
                      "Click the liver yourself");
   const Tissue liver = tissue_in(ct, core->mask);
   const Mask alike = like(ct, liver.mean, kUnlike * liver.sigma);
-  const std::vector<float> depth2 = depth2_of(alike);
+  const std::vector<float> depth2 = squared_depth_mm2(alike);
   // Other organs that look alike are parted from it at their necks, as from a click in its deepest place on
   // the right.
   std::optional<std::size_t> deepest;

@@ -20,10 +20,7 @@ constexpr double kVesselSpacing = 1.0;  // mm
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
-    const Point<CtFrame> p{Eigen::Vector3d(points.row(n).transpose())};
-    const Eigen::Vector3d index = image.grid.index_of(p);
-    if (!index.allFinite() ||
-        !image.grid.contains(index.array().round().max(-1.0).min(1e6).matrix().cast<int>()))
+    if (!holds(image.grid, points.row(n).transpose()))
       throw InputError("seeds", std::string(name) + " " + std::to_string(n + 1), "lies outside the image",
                        "Check that the seeds belong to this image and are in mm (LPS)");
   }

@@ -223,6 +223,13 @@ void paste(const Mask& part, const VoxelBox& box, const Eigen::Vector3i& size,
 
 std::vector<float> squared_distance_mm2(const Mask& mask) { return squared_distance_to(mask, 1); }
 
+std::vector<float> squared_depth_mm2(const Mask& mask) { return squared_distance_mm2(complement(mask)); }
+
+Mask complement(Mask mask) {
+  for (std::uint8_t& voxel : mask.voxels) voxel = voxel == 0 ? 1 : 0;
+  return mask;
+}
+
 Mask dilated(const Mask& mask, double radius_mm) {
   const std::vector<float> distance = squared_distance_to(mask, 1);
   Mask result(mask.size, mask.spacing_mm);

@@ -184,9 +184,7 @@ Shells shells_of(const VolumeGrid& grid, const std::vector<std::uint8_t>& tree,
   shells.box = bounding_box(grid.size, grid.spacing_mm, tree, grid.spacing_mm.maxCoeff());
   if (shells.box.empty()) return shells;
   shells.grid = crop(grid.size, grid.spacing_mm, tree, shells.box);
-  Mask outside = shells.grid;
-  for (auto& v : outside.voxels) v = v == 0 ? 1 : 0;
-  const std::vector<float> depth2 = squared_distance_mm2(outside);
+  const std::vector<float> depth2 = squared_depth_mm2(shells.grid);
   std::size_t start = 0;
   if (root) {
     const auto place = nearest_set(grid, tree, *root, 1e4);

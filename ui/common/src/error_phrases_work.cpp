@@ -8,6 +8,8 @@ namespace glisson::ui {
 
 const std::vector<const char*>& work_problems() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "has no click for or against the liver that the case does not have"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is locked"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 100 MB, more than any list needs"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no voxel of %1 within 5 mm"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies at the tree's root"),
@@ -116,6 +118,8 @@ const std::vector<const char*>& work_problems() {
 
 const std::vector<const char*>& work_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Add one, or leave --correct out"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Unlock it, or click another structure"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click on the branch that is to change"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click farther out on the branch"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click inside the picture"),

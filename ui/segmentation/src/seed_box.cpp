@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/segmentation/seed_box.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -16,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include "glisson/core/error.h"
-#include "glisson/engine/commands/correct_around.h"
 #include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_seeds.h"
@@ -27,6 +25,7 @@
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/segmentation/click_box.h"
 #include "glisson/ui/segmentation/network_box.h"
 #include "glisson/ui/segmentation/region_box.h"
 
@@ -108,7 +107,6 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
   connect(&engine_, &EngineBridge::case_changed, this, &SeedBox::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
-    if (correcting_.erase(outcome.id) > 0) tell_correction(outcome);
   });
   for (const TaskButton* button : {run_, propose_})
     connect(button, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
@@ -208,16 +206,7 @@ void SeedBox::save_seeds() {
 }
 
 void SeedBox::build_growth() {
-  at_once_ = new QCheckBox(tr("Clicks correct the liver at once"), this);
-  at_once_->setObjectName(QStringLiteral("correct_at_once"));
-  at_once_->setToolTip(
-      tr("Where there are labels, a click on the liver that they leave out, or on what is not liver, changes "
-         "them around it and nowhere else. One step back: Ctrl+Z."));
-  at_once_->setChecked(true);
-  column_of(this)->addWidget(at_once_);
-  correction_ = make_explanation(tr("With labels there: click what is missing, or too much."), this);
-  correction_->setObjectName(QStringLiteral("correction"));
-  correction_->setFixedHeight(2 * correction_->fontMetrics().lineSpacing());  // nothing below it moves
+  correction_ = new ClickBox(engine_, this);
   column_of(this)->addWidget(correction_);
   auto* form = new QFormLayout;
   what_ = make_narrow_combo(this);
@@ -274,6 +263,7 @@ segmentation::Structures SeedBox::structures() const {
 
 void SeedBox::set_locked(const std::set<Label>& labels) {
   locked_ = labels;
+  correction_->set_locked(labels);
   network_->set_locked(labels);
 }
 
@@ -326,35 +316,7 @@ void SeedBox::place(const Point<CtFrame>& p) {
   add_seed(seeds_, *structure_, p.xyz);
   store();
   if (*structure_ == structure::kParenchyma || *structure_ == structure::kBackground)
-    correct_around(p, *structure_ == structure::kParenchyma);
-}
-
-void SeedBox::correct_around(const Point<CtFrame>& p, bool is_liver) {
-  const auto& state = engine_.state();
-  const bool there = state[part::labels] && state[part::image] &&
-                     state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
-  if (!at_once_->isChecked() || !there || locked_.contains(structure::kParenchyma)) return;
-  correcting_.insert(
-      engine_.post(engine::CorrectAround{{p, is_liver}, seeds_, {locked_.begin(), locked_.end()}}));
-  correction_->setText(tr("Correcting around the click…"));
-}
-
-void SeedBox::tell_correction(const engine::Outcome& outcome) {
-  if (!correcting_.empty()) return;  // the next click's end is told
-  if (outcome.status == engine::Status::failed) {
-    correction_->setText(error_text(outcome.error));
-  } else if (outcome.status != engine::Status::done) {
-    correction_->clear();
-  } else if (!outcome.notes.empty()) {
-    correction_->setText(notes_text(outcome.notes));
-  } else {
-    const auto figure = [&](const char* name) { return outcome.figures.at(name); };
-    correction_->setText(figure("voxels_changed") > 0.0
-                             ? tr("Corrected around the click: %1 ml, up to %2 mm from it.")
-                                   .arg(figure("changed_ml"), 0, 'f', 1)
-                                   .arg(qRound(figure("reach_mm")))
-                             : tr("The labels say already what the click says."));
-  }
+    correction_->correct({p, *structure_ == structure::kParenchyma}, seeds_);
 }
 
 void SeedBox::draw_lesion(const SliceGesture& gesture) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/correct_around.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "glisson/engine/parts/image.h"
@@ -20,17 +21,28 @@ CommandTraits CorrectAround::traits() const {
 Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
   const auto before = state[part::labels];
-  auto corrected = segmentation::correct_around(*state[part::image], *before, seeds, click, locked, context);
-  if (!corrected) return {};
+  LabelMap labels = *before;
   Applied applied{state};
-  applied.figures["voxels_changed"] = static_cast<double>(corrected->voxels_changed);
+  long changed = 0;
+  double reach_mm = 0.0;
+  const auto count = static_cast<double>(clicks.size());
+  for (std::size_t n = 0; n < clicks.size(); ++n) {
+    const auto at = static_cast<double>(n);
+    auto corrected = segmentation::correct_around(*state[part::image], labels, seeds, clicks[n], locked,
+                                                  context.part(at / count, (at + 1.0) / count));
+    if (!corrected) return {};
+    labels = std::move(corrected->labels);
+    changed += corrected->voxels_changed;
+    reach_mm = std::max(reach_mm, corrected->reach_mm);
+    applied.notes.insert(applied.notes.end(), corrected->notes.begin(), corrected->notes.end());
+  }
+  applied.figures["voxels_changed"] = static_cast<double>(changed);
   applied.figures["changed_ml"] =
-      1e-3 * static_cast<double>(corrected->voxels_changed) * before->voxels.grid().voxel_volume_mm3();
-  applied.figures["reach_mm"] = corrected->reach_mm;
-  applied.notes = std::move(corrected->notes);
+      1e-3 * static_cast<double>(changed) * labels.voxels.grid().voxel_volume_mm3();
+  applied.figures["reach_mm"] = reach_mm;
   // Where nothing changes the labels stay the same edition: a model made of them is not out of date.
-  if (corrected->voxels_changed > 0)
-    put_edited_labels(applied.state, *before, std::move(corrected->labels),
+  if (changed > 0)
+    put_edited_labels(applied.state, *before, std::move(labels),
                       {"correct_around", structure::kParenchyma, 0.0}, 0);
   if (applied.state[part::statistics]) report_labels(applied.state, applied.figures);
   return applied;

@@ -53,6 +53,11 @@ void paste(const Mask& part, const VoxelBox& box, const Eigen::Vector3i& size,
 /// Square of the exact Euclidean distance in mm from each voxel's centre to the nearest set voxel's centre
 /// (Felzenszwalb and Huttenlocher 2012, one pass an axis). Infinite when no voxel is set.
 std::vector<float> squared_distance_mm2(const Mask& mask);
+/// The same to the nearest voxel that is not set: how deep each one lies in the mask.
+std::vector<float> squared_depth_mm2(const Mask& mask);
+
+/// Set where `mask` is not.
+Mask complement(Mask mask);
 
 /// Morphology with a ball of `radius_mm`. Outside the volume counts as background for dilation and as
 /// foreground for erosion, so that an organ cut by the image's edge is not eaten from there.

@@ -8,18 +8,19 @@
 
 namespace glisson::engine {
 
-/// Corrects the liver's labels around a click, and nowhere else, as one step of their history (see
-/// segmentation::correct_around()). The click counts as work by hand: growth replaces it only when that was
-/// said.
+/// Corrects the liver's labels around clicks, one after the other, and nowhere else, as one step of their
+/// history (see segmentation::correct_around()). They count as work by hand: growth replaces it only when
+/// that was said.
 struct CorrectAround {
-  segmentation::Click click;
-  /// Those that the click lies among. The command brings them along, so that one click after another is
+  std::vector<segmentation::Click> clicks;
+  /// Those that the clicks lie among. The command brings them along, so that one click after another is
   /// placed without waiting for the first.
   segmentation::Seeds seeds;
   std::vector<Label> locked;
 
   CommandTraits traits() const;
-  /// figures: voxels_changed, changed_ml, reach_mm.
+  /// figures: voxels_changed and changed_ml, of all clicks together (a voxel that two of them change counts
+  /// twice); reach_mm, how far the farthest lies from its click.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

@@ -11,7 +11,6 @@
 #include "glisson/ui/common/view_state.h"
 #include "glisson/ui/segmentation/seed_book.h"
 
-class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QLabel;
@@ -21,6 +20,7 @@ class QScrollArea;
 
 namespace glisson::ui {
 
+class ClickBox;
 class NetworkBox;
 class RegionBox;
 
@@ -65,9 +65,6 @@ class SeedBox : public QWidget {
   void place(const Point<CtFrame>& p);
   void draw_lesion(const SliceGesture& gesture);
   void store();
-  /// What a click for or against the liver changes of labels that are there, at once.
-  void correct_around(const Point<CtFrame>& p, bool is_liver);
-  void tell_correction(const engine::Outcome& outcome);
   void remove_selected();
   segmentation::SegmentationOptions options() const;
   segmentation::Structures structures() const;
@@ -79,7 +76,7 @@ class SeedBox : public QWidget {
   ViewState& views_;
   segmentation::Seeds seeds_;
   std::shared_ptr<const segmentation::Seeds> taken_;
-  std::set<engine::CommandId> storing_, correcting_;
+  std::set<engine::CommandId> storing_;
   std::shared_ptr<const Image> image_;
   /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
   std::set<Label> known_lesions_;
@@ -98,8 +95,7 @@ class SeedBox : public QWidget {
   QPushButton* clear_ = nullptr;
   QPushButton* load_ = nullptr;
   QPushButton* save_ = nullptr;
-  QCheckBox* at_once_ = nullptr;
-  QLabel* correction_ = nullptr;
+  ClickBox* correction_ = nullptr;
   QComboBox* what_ = nullptr;
   RegionBox* region_ = nullptr;
   TaskButton* run_ = nullptr;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <set>
+
+#include "glisson/segmentation/correct_around.h"
+#include "glisson/ui/common/engine_bridge.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace glisson::ui {
+
+/// Whether a click for or against the liver corrects labels that are there, at once, and what the last one
+/// did.
+class ClickBox : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ClickBox(EngineBridge& engine, QWidget* parent = nullptr);
+
+  /// Corrects around a click, if that is chosen and there are labels that it may change.
+  /// @param seeds the click's own among them.
+  void correct(const segmentation::Click& click, const segmentation::Seeds& seeds);
+  /// Labels that a click must leave as they are.
+  void set_locked(const std::set<Label>& labels) { locked_ = labels; }
+
+ private:
+  void tell(const engine::Outcome& outcome);
+
+  EngineBridge& engine_;
+  std::set<Label> locked_;
+  std::set<engine::CommandId> waiting_;
+  std::shared_ptr<const Image> image_;  ///< that the words are about
+  QCheckBox* at_once_;
+  QLabel* words_;
+};
+
+}  // namespace glisson::ui

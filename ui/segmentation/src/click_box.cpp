@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/click_box.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "glisson/engine/commands/correct_around.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+
+ClickBox::ClickBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), engine_(engine) {
+  constexpr int kLines = 3;  // of the longest note
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  at_once_ = new QCheckBox(tr("Clicks correct the liver at once"), this);
+  at_once_->setObjectName(QStringLiteral("correct_at_once"));
+  at_once_->setToolTip(
+      tr("Where there are labels, a click on the liver that they leave out, or on what is not liver, changes "
+         "them around it and nowhere else. One step back: Ctrl+Z."));
+  at_once_->setChecked(true);
+  column->addWidget(at_once_);
+  words_ = make_explanation({}, this);
+  words_->setObjectName(QStringLiteral("correction"));
+  words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  words_->setFixedHeight(kLines * words_->fontMetrics().lineSpacing());  // nothing below it moves
+  column->addWidget(words_);
+  const auto show_case = [this] {
+    if (image_ && engine_.state()[part::image] == image_) return;
+    image_ = engine_.state()[part::image];
+    words_->setText(tr("With labels there: click what is missing, or too much."));
+  };
+  connect(&engine_, &EngineBridge::case_changed, this, show_case);
+  connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
+    if (waiting_.erase(outcome.id) > 0 && waiting_.empty()) tell(outcome);
+  });
+  show_case();
+}
+
+void ClickBox::correct(const segmentation::Click& click, const segmentation::Seeds& seeds) {
+  const auto& state = engine_.state();
+  const bool there = state[part::labels] && state[part::image] &&
+                     state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
+  if (!at_once_->isChecked() || !there || locked_.contains(structure::kParenchyma)) return;
+  waiting_.insert(engine_.post(engine::CorrectAround{{click}, seeds, {locked_.begin(), locked_.end()}}));
+  words_->setText(tr("Correcting around the click…"));
+}
+
+void ClickBox::tell(const engine::Outcome& outcome) {
+  const auto figure = [&](const char* name) { return outcome.figures.at(name); };
+  if (outcome.status == engine::Status::failed)
+    words_->setText(error_text(outcome.error));
+  else if (outcome.status != engine::Status::done)
+    words_->setText(tr("Not corrected."));
+  else if (!outcome.notes.empty())
+    words_->setText(notes_text(outcome.notes));
+  else if (figure("voxels_changed") > 0.0)
+    words_->setText(tr("Corrected around the click: %1 ml, up to %2 mm from it.")
+                        .arg(figure("changed_ml"), 0, 'f', 1)
+                        .arg(qRound(figure("reach_mm"))));
+  else
+    words_->setText(tr("The labels say already what the click says."));
+}
+
+}  // namespace glisson::ui
