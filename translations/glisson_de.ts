@@ -4541,16 +4541,16 @@
         <translation>Die Form, die zu den Punkten passt, würde das Organ umstülpen.</translation>
     </message>
     <message>
-        <source>Liver seed %%1 had no effect: nothing joins its surroundings to the rest of the liver. Click between the two, or take it away.</source>
-        <translation>Leber-Saatpunkt %%1 hatte keine Wirkung: Nichts verbindet seine Umgebung mit der übrigen Leber. Einen Saatpunkt dazwischen setzen oder diesen entfernen.</translation>
+        <source>Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click between the two, or take it away.</source>
+        <translation>Leber-Saatpunkt %1 hatte keine Wirkung: Nichts verbindet seine Umgebung mit der übrigen Leber. Einen Saatpunkt dazwischen setzen oder diesen entfernen.</translation>
     </message>
     <message>
-        <source>Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
-        <translation>Leber-Saatpunkt %%1 hatte keine Wirkung: Dort liegt %%2. Eines von beiden entfernen.</translation>
+        <source>Liver seed %1 had no effect: %2 lies there. Take one of the two away.</source>
+        <translation>Leber-Saatpunkt %1 hatte keine Wirkung: Dort liegt %2. Eines von beiden entfernen.</translation>
     </message>
     <message>
-        <source>&quot;Not liver&quot; seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
-        <translation>Saatpunkt %%1 „Nicht Leber“ hatte keine Wirkung: Dort liegt %%2. Eines von beiden entfernen.</translation>
+        <source>&quot;Not liver&quot; seed %1 had no effect: %2 lies there. Take one of the two away.</source>
+        <translation>Saatpunkt %1 „Nicht Leber“ hatte keine Wirkung: Dort liegt %2. Eines von beiden entfernen.</translation>
     </message>
     <message>
         <source>The cloud&apos;s points scatter by %1 mm about a smooth surface (limit %2 mm).</source>

@@ -4541,16 +4541,16 @@
         <translation>La forme qui convient aux points retournerait l&apos;organe.</translation>
     </message>
     <message>
-        <source>Liver seed %%1 had no effect: nothing joins its surroundings to the rest of the liver. Click between the two, or take it away.</source>
-        <translation>Le germe de foie %%1 n’a eu aucun effet : rien ne relie ses environs au reste du foie. Placez un germe entre les deux, ou retirez-le.</translation>
+        <source>Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click between the two, or take it away.</source>
+        <translation>Le germe de foie %1 n’a eu aucun effet : rien ne relie ses environs au reste du foie. Placez un germe entre les deux, ou retirez-le.</translation>
     </message>
     <message>
-        <source>Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
-        <translation>Le germe de foie %%1 n’a eu aucun effet : %%2 s’y trouve. Retirez l’un des deux.</translation>
+        <source>Liver seed %1 had no effect: %2 lies there. Take one of the two away.</source>
+        <translation>Le germe de foie %1 n’a eu aucun effet : %2 s’y trouve. Retirez l’un des deux.</translation>
     </message>
     <message>
-        <source>&quot;Not liver&quot; seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
-        <translation>Le germe %%1 « Pas le foie » n’a eu aucun effet : %%2 s’y trouve. Retirez l’un des deux.</translation>
+        <source>&quot;Not liver&quot; seed %1 had no effect: %2 lies there. Take one of the two away.</source>
+        <translation>Le germe %1 « Pas le foie » n’a eu aucun effet : %2 s’y trouve. Retirez l’un des deux.</translation>
     </message>
     <message>
         <source>The cloud&apos;s points scatter by %1 mm about a smooth surface (limit %2 mm).</source>

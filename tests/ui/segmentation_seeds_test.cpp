@@ -334,6 +334,10 @@ void SegmentationSeedsTest::AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff(
   QCOMPARE(at(beside), structure::kParenchyma);
   QCOMPARE(count(structure::kFirstLesion), lesion);
   QCOMPARE(count(structure::kPortalVein), portal);
+  // What the liver does not reach changes nothing, and is said.
+  click({-0.06, 0.05, 0.0});
+  QCOMPARE(at({-0.06, 0.05, 0.0}), structure::kBackground);
+  QVERIFY2(notes().contains(QLatin1String("Liver seed 2 had no effect: ")), qPrintable(notes()));
   // Switched off, or with a locked liver, a seed is a seed.
   const long liver = count(structure::kParenchyma);
   press("correct_at_once");

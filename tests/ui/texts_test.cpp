@@ -32,6 +32,11 @@ void TextsTest::NotesAreSentencesWithTheirValues() {
   QCOMPARE(ui::note_text("liver.pieces_dropped 1 ml 0.0135"),
            QStringLiteral("Separate specks of liver were left out: 1 (0.01 ml)."));
   QVERIFY(!ui::note_text("no_notch").contains(QLatin1Char('_')));
+  QVERIFY(ui::note_text("seed.liver_apart 4").startsWith(QLatin1String("Liver seed 4 had no effect: ")));
+  QVERIFY(ui::note_text("seed.not_liver_taken 2 lesion_1").contains(QLatin1String("seed 2 had no effect: ")));
+  for (const char* code :
+       {"seed.liver_apart 4", "seed.liver_taken 4 vena_cava", "seed.not_liver_taken 2 lesion_1"})
+    QVERIFY(!ui::note_text(code).contains(QLatin1Char('%')));
   QCOMPARE(ui::notes_text({"liver.small", "liver.large"}).count(QLatin1Char('\n')), 1);
 }
 

@@ -21,11 +21,11 @@ class Notes {
     return {
         {"liver.small", tr("The liver is smaller than 400 ml: check it in the slices.")},
         {"seed.liver_apart",
-         tr("Liver seed %%1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
+         tr("Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
             "between the two, or take it away.")},
-        {"seed.liver_taken", tr("Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.")},
+        {"seed.liver_taken", tr("Liver seed %1 had no effect: %2 lies there. Take one of the two away.")},
         {"seed.not_liver_taken",
-         tr("\"Not liver\" seed %%1 had no effect: %%2 lies there. Take one of the two away.")},
+         tr("\"Not liver\" seed %1 had no effect: %2 lies there. Take one of the two away.")},
         {"seeds.proposed", tr("The seeds in the liver are a proposal: look at what is segmented from them, "
                               "slice by slice.")},
         {"liver.large", tr("The liver is larger than 4000 ml: check it in the slices.")},

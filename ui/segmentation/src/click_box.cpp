@@ -15,7 +15,7 @@
 namespace glisson::ui {
 
 ClickBox::ClickBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), engine_(engine) {
-  constexpr int kLines = 3;  // of the longest note
+  constexpr int kLines = 4;  // of the longest note in any language
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
