@@ -20,8 +20,8 @@ CommandTraits CorrectAround::traits() const {
 
 Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
-  const auto before = state[part::labels];
-  LabelMap labels = *before;
+  const LabelMap& before = *state[part::labels];
+  LabelMap labels = before;
   Applied applied{state};
   long changed = 0;
   double reach_mm = 0.0;
@@ -42,7 +42,7 @@ Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunConte
   applied.figures["reach_mm"] = reach_mm;
   // Where nothing changes the labels stay the same edition: a model made of them is not out of date.
   if (changed > 0)
-    put_edited_labels(applied.state, *before, std::move(labels),
+    put_edited_labels(applied.state, before, std::move(labels),
                       {"correct_around", structure::kParenchyma, 0.0}, 0);
   if (applied.state[part::statistics]) report_labels(applied.state, applied.figures);
   return applied;
