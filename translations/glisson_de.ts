@@ -9688,6 +9688,13 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::RenderView</name>
+    <message>
+        <source>No picture in three dimensions: this computer offers no OpenGL 3.2. glisson doctor tells more.</source>
+        <translation>Kein Bild in drei Dimensionen: Dieser Computer bietet kein OpenGL 3.2. Mehr sagt glisson doctor.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::RivalPictures</name>
     <message>
         <source>The organ lies here: take this place</source>

@@ -9688,6 +9688,13 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::RenderView</name>
+    <message>
+        <source>No picture in three dimensions: this computer offers no OpenGL 3.2. glisson doctor tells more.</source>
+        <translation>Pas d’image en trois dimensions : cet ordinateur n’offre pas OpenGL 3.2. glisson doctor en dit plus.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::RivalPictures</name>
     <message>
         <source>The organ lies here: take this place</source>

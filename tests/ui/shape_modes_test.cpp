@@ -43,7 +43,7 @@ class ShapeModesTest : public QObject {
     QApplication::setActiveWindow(window_.get());
     QTest::keyClick(window_->focusWidget() != nullptr ? window_->focusWidget() : window_.get(), key);
   }
-  QImage volume() { return window_->views().volume().grabFramebuffer(); }
+  QImage volume() { return window_->views().volume().grab().toImage(); }
 
   TemporaryFolder folder_;
   std::unique_ptr<MainWindow> window_;

@@ -13,8 +13,10 @@
 
 #include <QLabel>
 #include <QMouseEvent>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -23,6 +25,11 @@
 namespace glisson::ui {
 
 struct RenderView::Impl {
+  QOffscreenSurface surface;
+  QOpenGLContext context;
+  bool is_ready = false, is_refused = false;
+  bool is_stale = true;  ///< the scene has changed since it was drawn
+  QImage picture;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> style;
@@ -31,9 +38,7 @@ struct RenderView::Impl {
 };
 
 RenderView::RenderView(QWidget* parent)
-    : QOpenGLWidget(parent),
-      patient_(std::make_unique<scene::PatientScene>()),
-      impl_(std::make_unique<Impl>()) {
+    : QWidget(parent), patient_(std::make_unique<scene::PatientScene>()), impl_(std::make_unique<Impl>()) {
   impl_->window->SetReadyForRendering(false);
   impl_->window->SetOwnContext(0);
   impl_->window->SetMultiSamples(0);
@@ -44,7 +49,7 @@ RenderView::RenderView(QWidget* parent)
   impl_->interactor->EnableRenderOff();
   impl_->interactor->Initialize();
   setMinimumSize(120, 100);
-  // Labels rather than a painter: VTK leaves OpenGL in a state that Qt's painter does not expect.
+  setAttribute(Qt::WA_OpaquePaintEvent);
   title_ = new QLabel(this);
   title_->setProperty("role", "view-title");
   title_->move(8, 6);
@@ -57,11 +62,9 @@ RenderView::RenderView(QWidget* parent)
 }
 
 RenderView::~RenderView() {
-  if (context() != nullptr) {
-    makeCurrent();
-    impl_->window->Finalize();
-    doneCurrent();
-  }
+  if (!impl_->is_ready || !impl_->context.makeCurrent(&impl_->surface)) return;
+  impl_->window->Finalize();
+  impl_->context.doneCurrent();
 }
 
 void RenderView::prepare_surface_format() {
@@ -76,6 +79,7 @@ void RenderView::prepare_surface_format() {
 }
 
 void RenderView::set_hint(const QString& hint) {
+  if (impl_->is_refused) return;  // it says why there is nothing to see
   hint_->setText(hint);
   hint_->setVisible(!hint.isEmpty());
 }
@@ -119,46 +123,75 @@ void RenderView::place_letters() {
 }
 
 void RenderView::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
   hint_->setGeometry(rect().adjusted(24, 24, -24, -24));
   place_letters();
+  update();
 }
 
-void RenderView::initializeGL() {
+void RenderView::update() {
+  impl_->is_stale = true;
+  QWidget::update();
+}
+
+const QImage& RenderView::picture() const { return impl_->picture; }
+
+/// @return whether VTK can draw now.
+bool RenderView::begin_drawing() {
+  if (impl_->is_refused) return false;
+  if (impl_->is_ready) return impl_->context.makeCurrent(&impl_->surface);
+  impl_->surface.setFormat(QSurfaceFormat::defaultFormat());
+  impl_->surface.create();
+  impl_->context.setFormat(QSurfaceFormat::defaultFormat());
+  const bool serves = impl_->context.create() && impl_->context.format().version() >= qMakePair(3, 2) &&
+                      impl_->context.makeCurrent(&impl_->surface);
+  if (!serves) {
+    set_hint(
+        tr("No picture in three dimensions: this computer offers no OpenGL 3.2. glisson doctor tells more."));
+    impl_->is_refused = true;
+    return false;
+  }
   impl_->window->SetReadyForRendering(true);
   impl_->window->SetMapped(1);
   impl_->window->SetIsCurrent(true);
   impl_->window->SetSupportsOpenGL(1);
   impl_->window->InitializeFromCurrentContext();
-  // The widget moves to another context when it is re-parented: let go of the old one in time.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-    makeCurrent();
-    impl_->window->Finalize();
-    impl_->window->SetReadyForRendering(false);
-    doneCurrent();
-  });
+  impl_->is_ready = true;
+  return true;
 }
 
-void RenderView::resizeGL(int width, int height) {
+void RenderView::draw() {
+  if (!begin_drawing()) return;
   const double ratio = devicePixelRatioF();
-  const int w = std::max(1, static_cast<int>(width * ratio)),
-            h = std::max(1, static_cast<int>(height * ratio));
-  impl_->window->SetSize(w, h);
-  impl_->interactor->SetSize(w, h);
-}
-
-void RenderView::paintGL() {
+  const int w = std::max(1, static_cast<int>(width() * ratio)),
+            h = std::max(1, static_cast<int>(height() * ratio));
   vtkGenericOpenGLRenderWindow& window = *impl_->window;
+  window.SetSize(w, h);
+  impl_->interactor->SetSize(w, h);
   patient_->renderer().ResetCameraClippingRange();
   window.Render();
-  QOpenGLExtraFunctions* gl = context()->extraFunctions();
-  const int w = window.GetSize()[0], h = window.GetSize()[1];
+  if (impl_->picture.size() != QSize(w, h)) impl_->picture = QImage(w, h, QImage::Format_RGB32);
+  impl_->picture.setDevicePixelRatio(ratio);
   window.GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glUseProgram(0);
+  QOpenGLExtraFunctions* gl = impl_->context.extraFunctions();
+  gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl->glReadPixels(0, 0, w, h, GL_BGRA, GL_UNSIGNED_BYTE, impl_->picture.bits());
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  impl_->context.doneCurrent();
+  impl_->picture.mirror(false, true);  // OpenGL begins below
   emit drawn();
+}
+
+void RenderView::paintEvent(QPaintEvent*) {
+  if (impl_->is_stale) {
+    impl_->is_stale = false;
+    draw();
+  }
+  QPainter painter(this);
+  if (impl_->picture.isNull())
+    painter.fillRect(rect(), Qt::black);
+  else
+    painter.drawImage(0, 0, impl_->picture);
 }
 
 void RenderView::pass_on(QMouseEvent* event, unsigned long vtk_event) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLWidget>
 #include <QPolygonF>
+#include <QWidget>
 #include <array>
 #include <memory>
 #include <set>
 
 #include "glisson/ui/scene/patient_scene.h"
 
+class QImage;
 class QLabel;
 
 namespace glisson::ui {
@@ -18,7 +19,11 @@ class LassoLine;
 /// A patient in three dimensions: VTK inside a Qt 6 widget. Left drag turns, middle drag moves, wheel and
 /// right drag zoom, a click that does not drag picks; with the lasso, left drag
 /// draws. Call update() after the scene has changed.
-class RenderView : public QOpenGLWidget {
+///
+/// VTK draws into memory, from where the picture is painted as any other. A QOpenGLWidget would make Qt put
+/// the whole window together by OpenGL at every change of any widget, even while it is hidden: without a
+/// graphics card that costs more than the live overlay itself.
+class RenderView : public QWidget {
   Q_OBJECT
  public:
   explicit RenderView(QWidget* parent = nullptr);
@@ -28,6 +33,10 @@ class RenderView : public QOpenGLWidget {
   static void prepare_surface_format();
 
   scene::PatientScene& patient() { return *patient_; }
+  /// The scene is drawn anew as soon as it is seen. A repaint for any other reason takes the picture there is.
+  void update();
+  /// What is shown; null: nothing was drawn yet, or this computer has no OpenGL that serves.
+  const QImage& picture() const;
   double aspect() const { return static_cast<double>(width()) / std::max(1, height()); }
   /// Shown in the view's middle while there is nothing to see. Empty: nothing.
   void set_hint(const QString& hint);
@@ -57,10 +66,8 @@ class RenderView : public QOpenGLWidget {
   void drawn();
 
  protected:
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
   void resizeEvent(QResizeEvent* event) override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -69,6 +76,8 @@ class RenderView : public QOpenGLWidget {
 
  private:
   struct Impl;
+  bool begin_drawing();
+  void draw();
   void update_letters();
   void place_letters();
   void pass_on(QMouseEvent* event, unsigned long vtk_event);
