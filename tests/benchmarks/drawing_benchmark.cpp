@@ -18,6 +18,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "canvas.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/model/build.h"
 #include "glisson/patient/label_map.h"
@@ -95,9 +96,9 @@ class PlainScene {
   PlainScene(const scene::DrawableModel& model, const Camera& camera)
       : model_(model), offscreen_(camera.width, camera.height) {
     for (const scene::DrawableSurface& surface : model.surfaces) {
-      if (surface.inside.rows() == 0) continue;
+      if (surface.inside.triangles.rows() == 0) continue;
       TriangleMesh mesh = surface.mesh;
-      mesh.triangles = surface.thick;
+      mesh.triangles = surface.thick.triangles;
       auto shape = scene::make_poly_data(mesh);
       scene::add_normals(*shape);
       vtkNew<vtkPolyDataMapper> mapper;
@@ -172,7 +173,7 @@ int main(int argc, char** argv) {
   const PatientModel& model = *drawable->model;
   int triangles = 0;
   for (const scene::DrawableSurface& surface : drawable->surfaces)
-    triangles += static_cast<int>(surface.thick.rows());
+    triangles += static_cast<int>(surface.thick.triangles.rows());
   const Picture frame = tissue(camera);
   std::vector<Points> nodes;
   for (int k = 0; k < frames; ++k) nodes.push_back(nodes_at(model, k));
@@ -220,6 +221,11 @@ int main(int argc, char** argv) {
             }),
       plain);
   say("focus: layers over the picture",
-      timed(frames, [&](int) { scene::blend_layers(frame, layers, style, interest.pointer); }), plain);
+      timed(frames,
+            [&](int) {
+              scene::Canvas canvas = scene::canvas_of(frame);
+              scene::blend_layers(canvas, layers, style, interest.pointer);
+            }),
+      plain);
   return 0;
 }

@@ -147,12 +147,21 @@ void PairsTest::NormalsFollowTheSurface() {
   const PatientModel model = phantom::model(6, 5, 3);
   const CameraFromCt pose = phantom::view();
   MovingSurface still(model), moved(model);
+  NormalMemo memo;
+  for (int t = 0; t < moved.mesh().triangle_count(); ++t) {
+    const ClosestPoint corner{t, Eigen::Vector3d::UnitX(), moved.mesh().vertex(moved.mesh().triangles(t, 0)),
+                              0.0};
+    QVERIFY(moved.normal(corner, memo) == moved.normal(corner));
+  }
   moved.move(pose.apply(model.mesh.vertices));
   for (int q = 0; q < 50; ++q) {
     const Eigen::Vector3d p(0.1 * std::sin(q), 0.1 * std::cos(1.7 * q), 0.05 * std::sin(0.3 * q));
     const ClosestPoint at = still.closest(Feature::surface, p);
     const Eigen::Vector3d expected = pose.rotation * still.normal(at);
     QVERIFY((moved.normal(at) - expected).norm() < 1e-12);
+    // Remembered from query to query, and not beyond the next move.
+    QVERIFY(moved.normal(at, memo) == moved.normal(at));
+    QVERIFY(moved.normal(at, memo) == moved.normal(at));
     QVERIFY(std::abs(expected.norm() - 1.0) < 1e-12);
   }
 }

@@ -52,6 +52,15 @@ Difference compare(const TriangleMesh& mesh, const Camera& camera) {
   return difference;
 }
 
+scene::SurfaceLayer drawn(const scene::SurfaceRaster& raster, const Points& vertices,
+                          const scene::SidedTriangles& triangles) {
+  scene::SurfaceLayer layer = raster.layer();
+  scene::ProjectedSurface projected;
+  raster.project(vertices, triangles.triangles, projected);
+  layer.touched.add(raster.fill(projected, triangles, 3, {0, layer.height}, layer));
+  return layer;
+}
+
 }  // namespace
 
 class SurfaceRasterTest : public QObject {
@@ -65,6 +74,8 @@ class SurfaceRasterTest : public QObject {
   void AClearedLayerIsAsGoodAsNew();
   void BandsAreTheSameAsTheWhole();
   void BandsShareTheVertices();
+  void BacksThatAreHiddenNeedNoDrawing();
+  void BacksAreDrawnWhereTheyAreSeen();
   void BadInputIsRefused();
 };
 
@@ -172,7 +183,7 @@ void SurfaceRasterTest::BandsAreTheSameAsTheWhole() {
     raster.project(mesh.vertices, mesh.triangles, projected);
     scene::PixelBox touched;
     for (const scene::RowBand& band : scene::row_bands({&projected}, pieces.height, 5))
-      touched.add(raster.fill(projected, mesh.triangles, 3, band, pieces));
+      touched.add(raster.fill(projected, {mesh.triangles, 0}, 3, band, pieces));
     QVERIFY(whole.kind == pieces.kind && whole.facing == pieces.facing &&
             whole.inverse_depth == pieces.inverse_depth);
     const scene::PixelBox& box = whole.touched;
@@ -205,6 +216,61 @@ void SurfaceRasterTest::BandsShareTheVertices() {
   QVERIFY2(*most < 1.3 * *least, qPrintable(QString("%1 and %2").arg(*least).arg(*most)));
   // Where there is nothing one band is enough.
   QCOMPARE(scene::row_bands({}, height, 4).size(), std::size_t{1});
+}
+
+void SurfaceRasterTest::BacksThatAreHiddenNeedNoDrawing() {
+  const scene::SurfaceRaster raster(laparoscope(kHalf));
+  const TriangleMesh ball = ball_mesh({0.015, -0.01, 0.12}, 0.03, 40);
+  TriangleMesh inside_out = ball;
+  inside_out.triangles.col(1).swap(inside_out.triangles.col(2));
+  scene::SurfaceLayer both = raster.layer();
+  raster.draw(ball.vertices, ball.triangles, 3, both);
+  for (const TriangleMesh& mesh : {ball, inside_out}) {
+    const scene::SidedTriangles sided = scene::sort_by_sides(mesh, mesh.triangles);
+    QCOMPARE(sided.one_sided, mesh.triangles.rows());
+    QCOMPARE(sided.triangles.rows(), mesh.triangles.rows());
+    const scene::SurfaceLayer one = drawn(raster, mesh.vertices, sided);
+    int other = 0;
+    for (std::size_t i = 0; i < both.kind.size(); ++i)
+      other += both.kind[i] != one.kind[i] || both.inverse_depth[i] != one.inverse_depth[i];
+    QVERIFY2(other <= 2, qPrintable(QStringLiteral("%1 pixels").arg(other)));  // on the rim
+    // Only half of it was drawn: of a far ball behind a near one's missing half something would be seen.
+    scene::SidedTriangles away = sided;
+    away.triangles.col(1).swap(away.triangles.col(2));
+    const scene::SurfaceLayer back = drawn(raster, mesh.vertices, away);
+    const std::size_t middle =
+        back.at(static_cast<int>(both.height / 2), both.touched.left + both.touched.width / 2);
+    QVERIFY(back.kind[middle] == 3 && back.depth(middle) > both.depth(middle) + 0.03F);
+  }
+}
+
+void SurfaceRasterTest::BacksAreDrawnWhereTheyAreSeen() {
+  const scene::SurfaceRaster raster(laparoscope(kHalf));
+  const TriangleMesh ball = ball_mesh({0.0, 0.0, 0.12}, 0.03, 40);
+  // Its near cap is cut away: one looks at the inside of the far one.
+  Triangles cup(ball.triangles.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index t = 0; t < ball.triangles.rows(); ++t)
+    if (ball.vertices(ball.triangles(t, 0), 2) > 0.125) cup.row(count++) = ball.triangles.row(t);
+  cup.conservativeResize(count, 3);
+  const scene::SidedTriangles sided = scene::sort_by_sides(ball, cup);
+  QCOMPARE(sided.triangles.rows(), count);
+  QVERIFY2(sided.one_sided < count, "near the rim both sides are drawn");
+  scene::SurfaceLayer all = raster.layer();
+  raster.draw(ball.vertices, cup, 3, all);
+  const scene::SurfaceLayer one = drawn(raster, ball.vertices, sided);
+  QVERIFY(one.touched.top == all.touched.top && one.touched.bottom() == all.touched.bottom());
+  // An open whole, and one that is wound in two ways, are drawn from both sides everywhere.
+  QCOMPARE(scene::sort_by_sides({ball.vertices, cup}, cup).one_sided, Eigen::Index{0});
+  TriangleMesh torn = ball;
+  std::swap(torn.triangles(7, 1), torn.triangles(7, 2));
+  QCOMPARE(scene::sort_by_sides(torn, torn.triangles).one_sided, Eigen::Index{0});
+  // The camera is inside.
+  TriangleMesh around = ball;
+  around.vertices.rowwise() -= Eigen::RowVector3d(0, 0, 0.12);
+  const scene::SurfaceLayer inside =
+      drawn(raster, around.vertices, scene::sort_by_sides(around, around.triangles));
+  QCOMPARE(inside.kind[inside.at(inside.height / 2, inside.width / 2)], std::uint8_t{3});
 }
 
 void SurfaceRasterTest::BadInputIsRefused() {

@@ -111,7 +111,7 @@ struct SurfaceCheck::Impl {
             surface.first_hit(Eigen::Vector3d::Zero(), ray, 0.0, std::numeric_limits<double>::infinity());
         if (hit[i].triangle < 0) continue;
         depth[i] = hit[i].point.norm();
-        inclination[i] = std::abs(surface.normal(hit[i]).dot(ray));
+        inclination[i] = std::abs(surface.normal(hit[i], normals).dot(ray));
       }
   }
   /// Whether the organ is predicted here and all around.
@@ -240,7 +240,7 @@ struct SurfaceCheck::Impl {
 
   /// Where what stereo sees wants the organ to be.
   void collect_wishes(const std::vector<SeenPoint>& points, const Correction& now,
-                      std::vector<Wish>& wishes) const {
+                      std::vector<Wish>& wishes) {
     wishes.clear();
     std::map<int, int> count;
     std::vector<int> group;
@@ -249,7 +249,7 @@ struct SurfaceCheck::Impl {
       const Eigen::Vector3d p = now.undo(point.p_in_camera);
       const ClosestPoint at = surface.closest(Feature::surface, p);
       if (at.triangle < 0 || at.distance > kReach) continue;
-      const Eigen::Vector3d normal = surface.normal(at);
+      const Eigen::Vector3d normal = surface.normal(at, normals);
       const Eigen::Vector3d view = at.point.normalized();
       if (normal.dot(view) > 0.2) continue;  // turned away: not what is seen
       Wish wish;
@@ -304,7 +304,7 @@ struct SurfaceCheck::Impl {
   }
 
   /// The small rigid motion of the organ that stereo asks for, with what it cannot tell.
-  void fit(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) const {
+  void fit(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) {
     Correction now;
     std::vector<Eigen::Vector3d> organ;
     const TriangleMesh& mesh = surface.mesh();
@@ -365,7 +365,7 @@ struct SurfaceCheck::Impl {
       if (depth[index(point.column, point.row)] <= 0.0) continue;
       const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
       if (at.triangle < 0 || at.distance > kTissue) continue;
-      const Eigen::Vector3d normal = surface.normal(at);
+      const Eigen::Vector3d normal = surface.normal(at, normals);
       if (normal.dot(at.point) > 0.0) continue;  // turned away: not what is seen
       const Anchor anchor{at, normal.dot(point.p_in_camera - at.point)};
       if ((anchor.place(surface) - point.p_in_camera).norm() < kBesideRim)
@@ -375,7 +375,8 @@ struct SurfaceCheck::Impl {
   }
 
   registration::MovingSurface surface, in_shape;
-  Points shape_now;  ///< of in_shape
+  Points shape_now;                  ///< of in_shape
+  registration::NormalMemo normals;  ///< of surface
   SmallStereo stereo;
   Picture mask;
   std::vector<char> allowed, is_behind, is_before, is_supported;

@@ -164,6 +164,7 @@ void MovingSurface::move(const Points& nodes) {
       p += weights_[i][static_cast<Eigen::Index>(k)] * nodes.row(corners_[i][k]);
     mesh_.vertices.row(static_cast<Eigen::Index>(i)) = p;
   }
+  ++moves_;
   normals_.resize(0, 3);
   whole_.refit(mesh_.vertices);
   if (!margin_.empty()) margin_.refit(mesh_.vertices);
@@ -190,15 +191,33 @@ double MovingSurface::deviation(Feature feature, const ClosestPoint& at) const {
              : margin_deviation_[static_cast<std::size_t>(found - part_[1].begin())];
 }
 
-Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {
+template <class NormalOfVertex>
+Eigen::Vector3d MovingSurface::mixed_normal(const ClosestPoint& at, const NormalOfVertex& of_vertex) const {
   Eigen::Vector3d n = Eigen::Vector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const int vertex = mesh_.triangles(at.triangle, k);
-    n += at.barycentric[k] *
-         (normals_.rows() > 0 ? normals_.row(vertex).transpose() : stars_.normal(mesh_, vertex));
-  }
+  for (int k = 0; k < 3; ++k) n += at.barycentric[k] * of_vertex(mesh_.triangles(at.triangle, k));
   const double length = n.norm();
   return length > 0.0 ? Eigen::Vector3d(n / length) : n;
+}
+
+Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {
+  return mixed_normal(at, [this](int vertex) -> Eigen::Vector3d {
+    return normals_.rows() > 0 ? normals_.row(vertex).transpose() : stars_.normal(mesh_, vertex);
+  });
+}
+
+Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at, NormalMemo& memo) const {
+  if (memo.move != moves_) {
+    const auto count = static_cast<std::size_t>(mesh_.vertex_count());
+    memo.normals.resize(count);
+    memo.is_known.assign(count, 0);
+    memo.move = moves_;
+  }
+  return mixed_normal(at, [this, &memo](int vertex) -> const Eigen::Vector3d& {
+    const auto i = static_cast<std::size_t>(vertex);
+    if (memo.is_known[i] == 0) memo.normals[i] = stars_.normal(mesh_, vertex);
+    memo.is_known[i] = 1;
+    return memo.normals[i];
+  });
 }
 
 Eigen::Vector3d MovingSurface::place(const ClosestPoint& at) const {

@@ -58,7 +58,7 @@ std::vector<bool> thin_nodes(const VesselTree& tree) {
 }
 
 /// A triangle belongs to the node of the trees that is nearest, less the node's radius.
-Triangles thick_triangles(const PatientModel& model, const DrawableSurface& surface) {
+Triangles thick_triangles(const PatientModel& model, const DrawableSurface& surface, const Triangles& of) {
   std::vector<std::pair<const VesselTree*, std::vector<bool>>> trees;
   for (const VesselTree& tree : model.vessels)
     if (tree.structure == surface.structure &&
@@ -77,12 +77,12 @@ Triangles thick_triangles(const PatientModel& model, const DrawableSurface& surf
       }
     return thin;
   };
-  Triangles kept(surface.inside.rows(), 3);
+  Triangles kept(of.rows(), 3);
   Eigen::Index count = 0;
-  for (Eigen::Index t = 0; t < surface.inside.rows(); ++t) {
+  for (Eigen::Index t = 0; t < of.rows(); ++t) {
     Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
-    for (int k = 0; k < 3; ++k) middle += surface.mesh.vertices.row(surface.inside(t, k)) / 3.0;
-    if (!is_thin(middle)) kept.row(count++) = surface.inside.row(t);
+    for (int k = 0; k < 3; ++k) middle += surface.mesh.vertices.row(of(t, k)) / 3.0;
+    if (!is_thin(middle)) kept.row(count++) = of.row(t);
   }
   return kept.topRows(count);
 }
@@ -136,13 +136,15 @@ std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const Patient
     const int most = label == structure::kParenchyma ? std::max(1, triangles * 2 / 3) : triangles;
     surface.mesh = simplified(structure_surface(*model, label), most);
     if (surface.mesh.triangle_count() == 0) continue;
+    Triangles inside;  // none without a mesh
     if (has_mesh) {
       surface.binding = bind_points(model->mesh, surface.mesh.vertices, false);
       // The liver itself is drawn whole: its fine surface is what the mesh was made from.
       if (label != structure::kParenchyma) surface.outside = outside_vertices(surface, skin);
-      surface.inside = label == structure::kParenchyma ? surface.mesh.triangles : triangles_inside(surface);
+      inside = label == structure::kParenchyma ? surface.mesh.triangles : triangles_inside(surface);
     }
-    surface.thick = thick_triangles(*model, surface);
+    surface.inside = sort_by_sides(surface.mesh, inside);
+    surface.thick = sort_by_sides(surface.mesh, thick_triangles(*model, surface, inside));
     drawable->surfaces.push_back(std::move(surface));
   }
   drawable->model = std::move(model);

@@ -2,8 +2,8 @@
 #include "overlay_annotations.h"
 
 #include <QPainter>
-#include <QPainterPath>
 
+#include "dashes.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/colours.h"
 #include "overlay_layout.h"
@@ -59,13 +59,10 @@ void draw_legend(QPainter& painter, const Layout& layout, Taken& taken,
 
 void draw_margin(QPainter& painter, const Layout& layout, const std::vector<Eigen::Vector2d>& margin) {
   if (margin.size() < 2) return;
-  QPainterPath path(QPointF(margin.front().x() + 0.5, margin.front().y() + 0.5));
-  for (const Eigen::Vector2d& p : margin) path.lineTo(p.x() + 0.5, p.y() + 0.5);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 120), layout.text / 4.0 + 1.5, Qt::DashLine));
-  painter.drawPath(path);
-  painter.setPen(QPen(QColor(240, 240, 240, 210), layout.text / 4.0, Qt::DashLine));
-  painter.drawPath(path);
+  QPolygonF line;
+  for (const Eigen::Vector2d& p : margin) line << QPointF(p.x() + 0.5, p.y() + 0.5);
+  draw_dashes(painter, line, false,
+              {QColor(240, 240, 240, 210), QColor(0, 0, 0, 120), layout.text / 4.0, 0.75, 4.0, 2.0});
 }
 
 void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity validity) {
@@ -104,13 +101,7 @@ void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity 
 void draw_region(QPainter& painter, const Layout& layout, Label lesion, const QPolygonF& region) {
   if (region.isEmpty()) return;
   const double width = std::max(1.5, layout.text / 7.0);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 170), width + 2.0));
-  painter.drawPolygon(region);
-  QPen dashes(colour_of(lesion), width);
-  dashes.setDashPattern({4.0, 3.0});
-  painter.setPen(dashes);
-  painter.drawPolygon(region);
+  draw_dashes(painter, region, true, {colour_of(lesion), QColor(0, 0, 0, 170), width, 1.0, 4.0, 3.0, true});
 }
 
 /// Whose region it is, and how far it reaches, beside it where no other words stand.

@@ -44,12 +44,13 @@ void mix(cv::Vec3b& pixel, const cv::Vec3f& colour, float alpha) {
 
 /// A silhouette of the structure at this pixel: its neighbour shows another one, none, or one far behind.
 bool on_edge(const SurfaceLayer& layer, int row, int column, std::size_t pixel) {
-  const float here = layer.depth(pixel);
+  const float farthest =
+      1.0F / (layer.depth(pixel) + kDepthStep);  // inverse: one division for all neighbours
   for (const auto& [down, right] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
     const int y = row + down, x = column + right;
     if (y < 0 || x < 0 || y >= layer.height || x >= layer.width) continue;
     const std::size_t next = layer.at(y, x);
-    if (layer.kind[next] != layer.kind[pixel] || layer.depth(next) - here > kDepthStep) return true;
+    if (layer.kind[next] != layer.kind[pixel] || layer.inverse_depth[next] < farthest) return true;
   }
   return false;
 }
@@ -111,16 +112,16 @@ bool on_contour(const OverlayLayers& layers, int row, int column, std::size_t pi
 class VesselInk {
  public:
   VesselInk(const OverlayLayers& layers, const OverlayStyle& style, const Window& window)
-      : layers_(layers),
-        style_(style),
-        window_(window),
-        fade_depth_(static_cast<float>(style.fade_depth)),
-        opacity_(static_cast<float>(style.opacity)) {}
+      : layers_(layers), style_(style), window_(window), opacity_(static_cast<float>(style.opacity)) {
+    for (std::size_t i = 0; i < fades_.size(); ++i)
+      fades_[i] = kDeepest + (1.0F - kDeepest) * std::exp(-(static_cast<float>(i) + 0.5F) * kFadeStep /
+                                                          static_cast<float>(style.fade_depth));
+  }
 
   cv::Vec4b at(int v, int u, std::size_t pixel) const {
     const SurfaceLayer& vessels = layers_.vessels;
     const float below = depth_below(vessels, layers_.liver, pixel);
-    const float fade = kDeepest + (1.0F - kDeepest) * std::exp(-below / fade_depth_);
+    const float fade = fades_[std::min(fades_.size() - 1, static_cast<std::size_t>(below / kFadeStep))];
     const bool edge = on_edge(vessels, v, u, pixel);
     const bool outlines_only = style_.look == Look::outlines || window_.is_there();
     // Hepatic veins are hatched: colour must not be the only cue.
@@ -150,7 +151,10 @@ class VesselInk {
   const OverlayLayers& layers_;
   const OverlayStyle& style_;
   const Window& window_;
-  float fade_depth_, opacity_;
+  float opacity_;
+  /// By depth. A tenth of a millimetre is nothing that the picture's grey levels could show.
+  static constexpr float kFadeStep = 1e-4F;
+  std::array<float, 2048> fades_{};
   std::array<cv::Vec3f, 4> colours_ = {cv::Vec3f(), bgr(structure::kPortalVein),
                                        bgr(structure::kHepaticVeins), bgr(structure::kArtery)};
 };

@@ -13,7 +13,7 @@ std::shared_ptr<const openigtlink::SentModel> sent_model(const DrawableModel& dr
     const bool is_neighbour =
         surface.structure == structure::kVenaCava || surface.structure == structure::kGallbladder;
     if (is_neighbour || surface.binding.tetrahedron.empty()) continue;
-    sent->surfaces.push_back({surface.structure, surface.inside, surface.binding});
+    sent->surfaces.push_back({surface.structure, surface.inside.triangles, surface.binding});
   }
   return sent;
 }

@@ -44,8 +44,12 @@ void set_facings(const Points& vertices, const Triangles& triangles, std::vector
   }
 }
 
-float longest_edge(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
-  return std::sqrt(std::max(std::max((a - b).squaredNorm(), (b - c).squaredNorm()), (c - a).squaredNorm()));
+/// Whether straight edges on the picture are near enough to the lens's.
+bool is_short(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
+  const auto squared = [](const ScreenCorner& from, const ScreenCorner& to) {
+    return (from.x - to.x) * (from.x - to.x) + (from.y - to.y) * (from.y - to.y);
+  };
+  return std::max(std::max(squared(a, b), squared(b, c)), squared(c, a)) <= kLongestEdge * kLongestEdge;
 }
 
 // Without a call into the library for each, as the common processor needs for std::ceil and std::floor.
@@ -62,35 +66,39 @@ int down(float value) {
 float least(float a, float b, float c) { return std::min(std::min(a, b), c); }
 float most(float a, float b, float c) { return std::max(std::max(a, b), c); }
 
-struct ScreenCorner {
-  float x, y, inverse_depth, facing;
-};
+ScreenCorner on_screen(const RasterCorner& corner) {
+  if (!corner.visible) return {0.0F, 0.0F, 0.0F, corner.facing};
+  return {corner.pixel.x(), corner.pixel.y(), static_cast<float>(1.0 / corner.p.z()), corner.facing};
+}
 
-/// A corner's share in a point of the triangle: 0 on the opposite edge, through (x, y).
-struct Weight {
-  Weight(float right, float down, float zero_x, float zero_y)
-      : step_x(right), step_y(down), x(zero_x), y(zero_y), columns(right != 0.0F ? 1.0F / right : 0.0F) {}
-  float step_x, step_y, x, y;
-  float columns;  ///< to walk until the share has grown by one
-
-  float at(float column, float row) const { return (column - x) * step_x + (row - y) * step_y; }
+/// One edge of a triangle: where it bounds a row.
+struct Edge {
+  /// @param right, down how the opposite corner's share grows a pixel to the right and down. Zero at (x, y).
+  Edge(float right, float down, float x, float y) : y_(y), down_(down), side_(right) {
+    if (right == 0.0F) return;
+    const float columns = 1.0F / right;  // to walk until the share has grown by one
+    start_ = x + kRim * columns;
+    step_ = down * columns;
+  }
   /// Narrows a row to where the share is not negative.
   void bound(float row, float& from, float& to) const {
-    constexpr float kRim = -1e-4F;  // neighbours share their edges: no gaps
-    const float rest = kRim - (row - y) * step_y;
-    if (step_x > 0.0F)
-      from = std::max(from, x + rest * columns);
-    else if (step_x < 0.0F)
-      to = std::min(to, x + rest * columns);
-    else if (rest > 0.0F)
+    const float rows = row - y_;
+    if (side_ > 0.0F)
+      from = std::max(from, start_ - rows * step_);
+    else if (side_ < 0.0F)
+      to = std::min(to, start_ - rows * step_);
+    else if (kRim - rows * down_ > 0.0F)
       to = from - 1.0F;
   }
+
+ private:
+  static constexpr float kRim = -1e-4F;  // neighbours share their edges: no gaps
+  float y_, down_, side_, start_ = 0.0F, step_ = 0.0F;
 };
 
 /// Fills a band's rows of one small triangle. Pixel centres are whole numbers.
-void fill_small(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, const RowBand& band,
-                SurfaceLayer& layer, PixelBox& touched) {
-  const auto& [a, b, c] = corners;
+void fill_small(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c, std::uint8_t kind,
+                const RowBand& band, SurfaceLayer& layer, PixelBox& touched) {
   const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (!(std::abs(area) > 1e-6F)) return;
   // Limited before they are whole numbers: a corner may lie far beside the picture.
@@ -101,28 +109,31 @@ void fill_small(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, c
   if (left > right || top > bottom) return;
   touched.add(left, right, top, bottom);
   const float scale = 1.0F / area;
-  // The corners' weights are linear over the picture.
-  const Weight weight_a((b.y - c.y) * scale, (c.x - b.x) * scale, b.x, b.y);
-  const Weight weight_b((c.y - a.y) * scale, (a.x - c.x) * scale, a.x, a.y);
-  const Weight weight_c((a.y - b.y) * scale, (b.x - a.x) * scale, a.x, a.y);
+  // Each corner's share is linear over the picture, and so is what corners have.
+  const float a_right = (b.y - c.y) * scale, a_down = (c.x - b.x) * scale;
+  const float b_right = (c.y - a.y) * scale, b_down = (a.x - c.x) * scale;
+  const float c_right = (a.y - b.y) * scale, c_down = (b.x - a.x) * scale;
+  const std::array<Edge, 3> edges = {Edge(a_right, a_down, b.x, b.y), Edge(b_right, b_down, c.x, c.y),
+                                     Edge(c_right, c_down, a.x, a.y)};
+  const auto slope = [](float of_a, float of_b, float of_c, float at_a, float at_b, float at_c) {
+    return of_a * at_a + of_b * at_b + of_c * at_c;
+  };
+  const float inverse_right =
+                  slope(a_right, b_right, c_right, a.inverse_depth, b.inverse_depth, c.inverse_depth),
+              inverse_down = slope(a_down, b_down, c_down, a.inverse_depth, b.inverse_depth, c.inverse_depth),
+              facing_right = slope(a_right, b_right, c_right, a.facing, b.facing, c.facing),
+              facing_down = slope(a_down, b_down, c_down, a.facing, b.facing, c.facing);
   for (int y = top; y <= bottom; ++y) {
     const auto row = static_cast<float>(y);
     float from = static_cast<float>(left), to = static_cast<float>(right);
-    for (const Weight* weight : {&weight_a, &weight_b, &weight_c}) weight->bound(row, from, to);
+    for (const Edge& edge : edges) edge.bound(row, from, to);
     if (!(from <= to)) continue;
     const int first = up(from), last = down(to);
-    if (first > last) continue;
-    const auto start = static_cast<float>(first);
-    const float at_a = weight_a.at(start, row), at_b = weight_b.at(start, row),
-                at_c = weight_c.at(start, row);
-    const auto mix = [&](float of_a, float of_b, float of_c) {
-      return std::pair(at_a * of_a + at_b * of_b + at_c * of_c,
-                       weight_a.step_x * of_a + weight_b.step_x * of_b + weight_c.step_x * of_c);
-    };
-    auto [inverse, inverse_step] = mix(a.inverse_depth, b.inverse_depth, c.inverse_depth);
-    auto [facing, facing_step] = mix(a.facing, b.facing, c.facing);
+    const float columns = static_cast<float>(first) - a.x, rows = row - a.y;
+    float inverse = a.inverse_depth + columns * inverse_right + rows * inverse_down;
+    float facing = a.facing + columns * facing_right + rows * facing_down;
     std::size_t pixel = layer.at(y, first);
-    for (int x = first; x <= last; ++x, ++pixel, inverse += inverse_step, facing += facing_step) {
+    for (int x = first; x <= last; ++x, ++pixel, inverse += inverse_right, facing += facing_right) {
       if (inverse <= layer.inverse_depth[pixel]) continue;
       layer.inverse_depth[pixel] = inverse;
       layer.kind[pixel] = kind;
@@ -201,10 +212,14 @@ void SurfaceRaster::project(const Points& vertices, const Triangles& triangles,
                             ProjectedSurface& surface) const {
   std::vector<RasterCorner>& corners = surface.corners;
   corners.resize(static_cast<std::size_t>(vertices.rows()));
+  surface.on_screen.resize(corners.size());
+  surface.is_whole = true;
   set_facings(vertices, triangles, corners);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     corners[i].p = vertices.row(static_cast<Eigen::Index>(i)).transpose();
     project(corners[i]);
+    surface.on_screen[i] = on_screen(corners[i]);
+    surface.is_whole = surface.is_whole && corners[i].visible;
   }
 }
 
@@ -214,18 +229,37 @@ class SurfaceRaster::BandFiller {
   BandFiller(const SurfaceRaster& raster, std::uint8_t kind, const RowBand& band, SurfaceLayer& layer)
       : raster_(raster), kind_(kind), band_(band), layer_(layer) {}
 
-  void add(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c) { add(a, b, c, 0); }
+  /// @param one_sided it is not drawn when it is turned away.
+  void add(const ProjectedSurface& surface, std::size_t i, std::size_t j, std::size_t k, bool one_sided) {
+    const ScreenCorner &a = surface.on_screen[i], &b = surface.on_screen[j], &c = surface.on_screen[k];
+    if (one_sided && is_turned_away(a, b, c)) return;
+    if (is_visible(a, b, c) && is_short(a, b, c)) return fill(a, b, c);
+    divide(surface.corners[i], surface.corners[j], surface.corners[k], 0);
+  }
   const PixelBox& touched() const { return touched_; }
 
  private:
+  /// Wound outwards, a triangle is walked around against the clock where it is seen from outside.
+  static bool is_turned_away(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
+    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) > 0.0F;
+  }
+  static bool is_visible(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
+    return a.inverse_depth > 0.0F && b.inverse_depth > 0.0F && c.inverse_depth > 0.0F;
+  }
+  void fill(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
+    const bool is_beside = least(a.y, b.y, c.y) > static_cast<float>(band_.end - 1) ||
+                           most(a.y, b.y, c.y) < static_cast<float>(band_.first);
+    if (!is_beside) fill_small(a, b, c, kind_, band_, layer_, touched_);
+  }
   void add(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c, int depth) {
-    const bool whole = a.visible && b.visible && c.visible;
-    if (whole && (depth == kDeepest || longest_edge(a.pixel, b.pixel, c.pixel) <= kLongestEdge)) {
-      if (is_beside(a, b, c)) return;
-      fill_small({on_screen(a), on_screen(b), on_screen(c)}, kind_, band_, layer_, touched_);
-      return;
-    }
-    if (!whole) {
+    const ScreenCorner at_a = on_screen(a), at_b = on_screen(b), at_c = on_screen(c);
+    if (is_visible(at_a, at_b, at_c) && (depth == kDeepest || is_short(at_a, at_b, at_c)))
+      return fill(at_a, at_b, at_c);
+    divide(a, b, c, depth);
+  }
+  /// @pre too long, or not seen whole
+  void divide(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c, int depth) {
+    if (!(a.visible && b.visible && c.visible)) {
       const double size = std::max({(a.p - b.p).norm(), (b.p - c.p).norm(), (c.p - a.p).norm()});
       if (depth == kDeepest || !(size > kSmallestDivided)) return;
     }
@@ -234,13 +268,6 @@ class SurfaceRaster::BandFiller {
     add(ab, b, bc, depth + 1);
     add(ca, bc, c, depth + 1);
     add(ab, bc, ca, depth + 1);
-  }
-  bool is_beside(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c) const {
-    return least(a.pixel.y(), b.pixel.y(), c.pixel.y()) > static_cast<float>(band_.end - 1) ||
-           most(a.pixel.y(), b.pixel.y(), c.pixel.y()) < static_cast<float>(band_.first);
-  }
-  static ScreenCorner on_screen(const RasterCorner& corner) {
-    return {corner.pixel.x(), corner.pixel.y(), static_cast<float>(1.0 / corner.p.z()), corner.facing};
   }
   RasterCorner middle(const RasterCorner& one, const RasterCorner& other) const {
     RasterCorner corner;
@@ -257,17 +284,18 @@ class SurfaceRaster::BandFiller {
   PixelBox touched_;
 };
 
-PixelBox SurfaceRaster::fill(const ProjectedSurface& surface, const Triangles& triangles, std::uint8_t kind,
+PixelBox SurfaceRaster::fill(const ProjectedSurface& surface, const SidedTriangles& sided, std::uint8_t kind,
                              const RowBand& band, SurfaceLayer& layer) const {
   require(kind != 0, "kind 0 stands for nothing");
   require(layer.width == camera_.width && layer.height == camera_.height, "a layer has the camera's size");
   require(band.first >= 0 && band.end <= layer.height, "a band lies in its picture");
   BandFiller filler(*this, kind, band, layer);
-  const std::vector<RasterCorner>& corners = surface.corners;
+  const Triangles& triangles = sided.triangles;
+  // Where the camera is inside, or the lens leaves something out, backs are seen.
+  const Eigen::Index one_sided = surface.is_whole ? sided.one_sided : 0;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    filler.add(corners[static_cast<std::size_t>(triangles(t, 0))],
-               corners[static_cast<std::size_t>(triangles(t, 1))],
-               corners[static_cast<std::size_t>(triangles(t, 2))]);
+    filler.add(surface, static_cast<std::size_t>(triangles(t, 0)), static_cast<std::size_t>(triangles(t, 1)),
+               static_cast<std::size_t>(triangles(t, 2)), t < one_sided);
   return filler.touched();
 }
 
@@ -275,7 +303,7 @@ void SurfaceRaster::draw(const Points& vertices, const Triangles& triangles, std
                          SurfaceLayer& layer) const {
   ProjectedSurface surface;
   project(vertices, triangles, surface);
-  layer.touched.add(fill(surface, triangles, kind, {0, layer.height}, layer));
+  layer.touched.add(fill(surface, {triangles, 0}, kind, {0, layer.height}, layer));
 }
 
 std::vector<RowBand> row_bands(const std::vector<const ProjectedSurface*>& surfaces, int height, int count) {

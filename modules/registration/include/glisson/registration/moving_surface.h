@@ -29,6 +29,14 @@ struct Carrier {
 /// Landmarks.
 double margin_deviation_at(const Landmarks& landmarks, const Eigen::RowVector3d& p_in_ct);
 
+/// Vertices' normals that were asked for since a surface moved, each made once. Of one surface and one
+/// thread.
+struct NormalMemo {
+  std::vector<Eigen::Vector3d> normals;
+  std::vector<char> is_known;
+  long move = -1;  ///< which one they are of
+};
+
 /// A model's surface while it moves, with the parts of it that points of each feature may be paired with.
 /// The trees are built once and refitted. Queries are const and thread-safe; move() is not.
 class MovingSurface {
@@ -66,6 +74,8 @@ class MovingSurface {
 
   /// Outward unit normal at a closest point, interpolated from the vertices'.
   Eigen::Vector3d normal(const ClosestPoint& at) const;
+  /// The same, for one thread that asks for many on a surface that moves on.
+  Eigen::Vector3d normal(const ClosestPoint& at, NormalMemo& memo) const;
   /// Where the place of a closest-point query is now.
   Eigen::Vector3d place(const ClosestPoint& at) const;
   /// What moves the point of a closest-point query.
@@ -81,6 +91,8 @@ class MovingSurface {
   const ClosestPointTree& tree(Feature feature) const;
 
   void carry_finely(const TetMesh& tetrahedra);
+  template <class NormalOfVertex>
+  Eigen::Vector3d mixed_normal(const ClosestPoint& at, const NormalOfVertex& of_vertex) const;
 
   std::vector<int> node_of_vertex_;  ///< of the mesh's own surface; empty for a fine one
   // Of a fine surface: the tetrahedron of each vertex (node numbers), its weights there, all at rest.
@@ -91,6 +103,7 @@ class MovingSurface {
   int node_count_ = 0;
   TriangleMesh mesh_;
   VertexStars stars_;
+  long moves_ = 0;
   Points normals_;  ///< of all vertices where it stands still; else empty: few of many are asked for
   std::array<std::vector<int>, 3> part_;
   std::vector<double>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glisson/patient/patient_model.h"
+#include "glisson/ui/scene/sided_triangles.h"
 
 namespace glisson::scene {
 
@@ -23,9 +24,9 @@ struct DrawableSurface {
   TriangleMesh mesh;  ///< CT frame, at rest
   Binding binding;    ///< empty when the model has no tetrahedra
   /// Triangles within 3 mm of the model's mesh: only there it is known how they move.
-  Triangles inside;
+  SidedTriangles inside;
   /// Of these, without thin distal branches: what is under kThin in radius, with all that follows behind it.
-  Triangles thick;
+  SidedTriangles thick;
   std::vector<OutsideVertex> outside;  ///< of neighbours and of vessels that run on; not of the liver
 };
 

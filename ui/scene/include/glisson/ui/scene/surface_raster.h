@@ -6,6 +6,7 @@
 
 #include "glisson/geometry/camera.h"
 #include "glisson/geometry/mesh.h"
+#include "glisson/ui/scene/sided_triangles.h"
 
 namespace glisson::scene {
 
@@ -46,9 +47,18 @@ struct RasterCorner {
   bool visible = false;
 };
 
+/// What a triangle of a few pixels needs of a vertex.
+struct ScreenCorner {
+  float x, y;           ///< pixels
+  float inverse_depth;  ///< 1 / z, per metre; 0: not visible
+  float facing;
+};
+
 /// A surface's vertices before the camera.
 struct ProjectedSurface {
   std::vector<RasterCorner> corners;
+  bool is_whole = false;                ///< all vertices are visible
+  std::vector<ScreenCorner> on_screen;  ///< the same vertices: little memory is walked through
 };
 
 /// Some rows of a picture.
@@ -83,7 +93,7 @@ class SurfaceRaster {
   /// The second half, of the rows of a band alone: bands of one layer may be filled side by side, and are the
   /// same to the bit as the whole. @param triangles those that were projected. @pre as draw()
   /// @return where something was drawn; the layer's `touched` is left to the caller.
-  PixelBox fill(const ProjectedSurface& surface, const Triangles& triangles, std::uint8_t kind,
+  PixelBox fill(const ProjectedSurface& surface, const SidedTriangles& triangles, std::uint8_t kind,
                 const RowBand& band, SurfaceLayer& layer) const;
 
   static constexpr double kNear = 0.005;  ///< metres
