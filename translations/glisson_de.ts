@@ -5179,6 +5179,30 @@
         <translation>das Maskennetz hält das meiste des Organs für etwas anderes</translation>
     </message>
     <message>
+        <source>one of the two views shows nothing</source>
+        <translation>eine der beiden Ansichten zeigt nichts</translation>
+    </message>
+    <message>
+        <source>left and right view are swapped</source>
+        <translation>linke und rechte Ansicht sind vertauscht</translation>
+    </message>
+    <message>
+        <source>too little can be made out in the picture</source>
+        <translation>im Bild ist zu wenig zu erkennen</translation>
+    </message>
+    <message>
+        <source>Check the camera that shows nothing, and its cable.</source>
+        <translation>Prüfen Sie die Kamera, die nichts zeigt, und ihr Kabel.</translation>
+    </message>
+    <message>
+        <source>Connect the two cameras the other way round, or open their videos in the other order.</source>
+        <translation>Schließen Sie die beiden Kameras umgekehrt an, oder öffnen Sie ihre Videos in der anderen Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Clear the smoke, wipe the lens, check lamp and focus.</source>
+        <translation>Entfernen Sie den Rauch, wischen Sie die Linse ab, prüfen Sie Lampe und Schärfe.</translation>
+    </message>
+    <message>
         <source>the mask network leaves too little of the organ</source>
         <translation>das Maskennetz lässt zu wenig vom Organ übrig</translation>
     </message>

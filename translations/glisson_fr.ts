@@ -5179,6 +5179,30 @@
         <translation>le réseau de masque prend la plus grande partie de l’organe pour autre chose</translation>
     </message>
     <message>
+        <source>one of the two views shows nothing</source>
+        <translation>l’une des deux vues ne montre rien</translation>
+    </message>
+    <message>
+        <source>left and right view are swapped</source>
+        <translation>les vues gauche et droite sont inversées</translation>
+    </message>
+    <message>
+        <source>too little can be made out in the picture</source>
+        <translation>on distingue trop peu de choses dans l’image</translation>
+    </message>
+    <message>
+        <source>Check the camera that shows nothing, and its cable.</source>
+        <translation>Vérifiez la caméra qui ne montre rien, et son câble.</translation>
+    </message>
+    <message>
+        <source>Connect the two cameras the other way round, or open their videos in the other order.</source>
+        <translation>Branchez les deux caméras dans l’autre sens, ou ouvrez leurs vidéos dans l’autre ordre.</translation>
+    </message>
+    <message>
+        <source>Clear the smoke, wipe the lens, check lamp and focus.</source>
+        <translation>Évacuez la fumée, essuyez l’objectif, vérifiez la lampe et la mise au point.</translation>
+    </message>
+    <message>
         <source>the mask network leaves too little of the organ</source>
         <translation>le réseau de masque laisse trop peu de l’organe</translation>
     </message>

@@ -19,6 +19,8 @@ class TrackerTest : public QObject {
   void StillTissueKeepsTheRegisteredShape();
   void StiffBoundaryHoldsItsPlace();
   void BlackFramesAreNotValidAndTheNextGoodOneIs();
+  void PicturesTellWhyPointsAreFew_data();
+  void PicturesTellWhyPointsAreFew();
   void ALampThatChangesLosesNothing();
   void PicturesOfAnotherSizeAreNotValid();
   void NoisePicturesAreNotValid();
@@ -46,6 +48,22 @@ class TrackerTest : public QObject {
   Registration start_;
   std::vector<StereoFrame> film_;
 };
+
+namespace {
+
+/// With what noise there is in the dark.
+Picture darkened(const Picture& picture) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(4.0, 2.0);
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+  for (auto& byte : *bytes)
+    byte = static_cast<std::uint8_t>(std::clamp(0.03 * byte + noise(random), 0.0, 255.0));
+  Picture dark = picture;
+  dark.bytes = bytes;
+  return dark;
+}
+
+}  // namespace
 
 void TrackerTest::initTestCase() {
   nodes_ = phantom::view().apply(model_.mesh.vertices);
@@ -109,10 +127,53 @@ void TrackerTest::BlackFramesAreNotValidAndTheNextGoodOneIs() {
   black.right = phantom::plain(rig_.right, 0);
   for (int k = 0; k < 3; ++k) {
     const OverlayFrame overlay = tracker.follow(black);
-    QVERIFY(overlay.validity == Validity::too_few_points);
+    QVERIFY(overlay.validity == Validity::picture_lost);
     QVERIFY(overlay.nodes_in_camera.allFinite());
   }
   QVERIFY(tracker.follow(film_[2]).validity == Validity::valid);
+}
+
+void TrackerTest::PicturesTellWhyPointsAreFew_data() {
+  QTest::addColumn<QString>("fault");
+  QTest::addColumn<Validity>("told");
+  QTest::newRow("left view black") << "left" << Validity::view_lost;
+  QTest::newRow("right view grey") << "right" << Validity::view_lost;
+  QTest::newRow("no right view") << "none" << Validity::view_lost;
+  QTest::newRow("views in the wrong order") << "swapped" << Validity::views_swapped;
+  QTest::newRow("lamp out") << "dark" << Validity::picture_lost;
+  // The picture is good, and something else is seen: nothing of the cameras is wrong.
+  QTest::newRow("another part of another organ") << "elsewhere" << Validity::too_few_points;
+}
+
+void TrackerTest::PicturesTellWhyPointsAreFew() {
+  QFETCH(QString, fault);
+  QFETCH(Validity, told);
+  Tracker tracker = begun();
+  QVERIFY(tracker.follow(film_[1]).validity == Validity::valid);
+  StereoFrame frame = film_[2];
+  if (fault == "left") frame.left = phantom::plain(rig_.left, 0);
+  if (fault == "right") frame.right = phantom::plain(rig_.right, 128);
+  if (fault == "none") frame.right = {};
+  if (fault == "swapped") std::swap(frame.left, frame.right);
+  if (fault == "dark") {
+    frame.left = darkened(frame.left);
+    frame.right = darkened(frame.right);
+  }
+  if (fault == "elsewhere") {
+    const PatientModel other = phantom::model(9, 5, 4);
+    Points there = phantom::view().apply(other.mesh.vertices);
+    there.rowwise() += Eigen::RowVector3d(0.04, 0.02, 0.01);
+    frame = phantom::film(other, there, rig_, 2);
+    frame.seconds = film_[2].seconds;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const OverlayFrame overlay = tracker.follow(frame);
+    QVERIFY2(overlay.validity == told, validity_code(overlay.validity));
+    QVERIFY(overlay.level() == Level::withdrawn && !is_followed(overlay.validity));
+  }
+  if (told == Validity::too_few_points) return;  // the organ may be looked for, and found later
+  const Validity after = tracker.follow(film_[2]).validity;
+  QVERIFY2(after == Validity::valid, validity_code(after));
 }
 
 void TrackerTest::ALampThatChangesLosesNothing() {
@@ -145,7 +206,7 @@ void TrackerTest::PicturesOfAnotherSizeAreNotValid() {
   QVERIFY(tracker.follow(wrong).validity == Validity::too_few_points);
   wrong = film_[1];
   wrong.right = {};
-  QVERIFY(tracker.follow(wrong).validity == Validity::too_few_points);
+  QVERIFY(tracker.follow(wrong).validity == Validity::view_lost);
   QVERIFY(tracker.follow(film_[1]).validity == Validity::valid);
 }
 

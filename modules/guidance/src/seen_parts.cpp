@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "seen_parts.h"
 
+#include <Eigen/Geometry>
 #include <opencv2/core.hpp>
 
 #include "glisson/stereo/source.h"
@@ -32,6 +33,18 @@ SeenParts seen_parts(const StereoFrame& first, const StereoRig& rig, const Pictu
   parts.right = circle_of(first.right, rig.right, "right view");
   parts.tissue = both(parts.left, mask);
   return parts;
+}
+
+double seen_area(const TriangleMesh& mesh, const Camera& camera) {
+  const Eigen::VectorXd areas = triangle_areas(mesh);
+  double sum = 0.0;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)), b = mesh.vertex(mesh.triangles(t, 1)),
+                          c = mesh.vertex(mesh.triangles(t, 2)), centre = (a + b + c) / 3.0;
+    if (centre.z() > 0.0 && (b - a).cross(c - a).dot(centre) < 0.0 && camera.sees(camera.project(centre)))
+      sum += areas[t];
+  }
+  return sum;
 }
 
 }  // namespace glisson::guidance

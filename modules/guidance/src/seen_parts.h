@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glisson/geometry/camera.h"
+#include "glisson/geometry/mesh.h"
 #include "glisson/patient/picture.h"
 
 namespace glisson::guidance {
@@ -15,5 +16,8 @@ struct SeenParts {
 /// @param mask empty, or of the left view's size, non-zero where tissue may be followed.
 /// @throws InputError a picture is empty, or it or the mask is not of the calibration's size.
 SeenParts seen_parts(const StereoFrame& first, const StereoRig& rig, const Picture& mask);
+
+/// What of a surface the camera sees, but for what hides it, square metres. @param mesh camera frame.
+double seen_area(const TriangleMesh& mesh, const Camera& camera);
 
 }  // namespace glisson::guidance

@@ -9,6 +9,7 @@
 
 #include "anchored_points.h"
 #include "cloud_follower.h"
+#include "few_points.h"
 #include "followed_body.h"
 #include "frame_clock.h"
 #include "glisson/core/error.h"
@@ -100,7 +101,7 @@ struct Tracker::Impl {
     going_over.reset();
     tissue.reset();
     camera = rig.left;
-    seen = seen_area();
+    seen = seen_area(body.surface().mesh(), camera);
     held_out.emplace(rig, options.window_px, options.most_masked);
     held_out->take(given_mask, first.seconds, body.surface().mesh());
     replenish();
@@ -113,24 +114,11 @@ struct Tracker::Impl {
     lost_at.reset();
     judge.reset();
     is_believed = true;
+    few_points = std::make_unique<FewPoints>(rig, first, options.judge);
     if (!options.judge.enabled) return;
     judge = std::make_unique<Judge>(patient, rig, parts.tissue, options.judge);
     judge->begin(first, body.positions());
     is_believed = !judge->refutes();
-  }
-
-  /// Of the model, in the left picture, square metres.
-  double seen_area() const {
-    const TriangleMesh& mesh = body.surface().mesh();
-    const Eigen::VectorXd areas = triangle_areas(mesh);
-    double sum = 0.0;
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-      const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)), b = mesh.vertex(mesh.triangles(t, 1)),
-                            c = mesh.vertex(mesh.triangles(t, 2)), centre = (a + b + c) / 3.0;
-      if (centre.z() > 0.0 && (b - a).cross(c - a).dot(centre) < 0.0 && camera.sees(camera.project(centre)))
-        sum += areas[t];
-    }
-    return sum;
   }
 
   /// Points that are not on the liver go. Their places come back as others do (PointMemory), but for those
@@ -236,7 +224,7 @@ struct Tracker::Impl {
     follower->keep(anchors.rebind(follower->points(), change.of_followed));
     anchors.retain(follower->points());
     memory->rebind(change.of_remembered, before, body.surface());
-    seen = seen_area();
+    seen = seen_area(body.surface().mesh(), camera);
     if (judge) judge->keep_tissue_in(shape);
   }
 
@@ -360,6 +348,7 @@ struct Tracker::Impl {
     OverlayFrame overlay;
     overlay.index = frame.index;
     overlay.seconds = frame.seconds;
+    bool has_pictures = true;
     if (follower) {
       try {
         const StereoFollower::Counts counts = follower->follow(frame);
@@ -374,7 +363,8 @@ struct Tracker::Impl {
             held_out->explains_few(overlay.pairs, options.minimum_pairs))
           overlay.validity = Validity::masked_out;
       } catch (const InputError&) {
-        overlay.validity = Validity::too_few_points;  // no picture of the camera's size
+        overlay.validity = Validity::too_few_points;
+        has_pictures = false;  // of the camera's size
       }
       // What could not be used is followed again from the last frame that could.
       if (overlay.validity == Validity::too_few_points || overlay.validity == Validity::masked_out ||
@@ -394,7 +384,9 @@ struct Tracker::Impl {
     }
     overlay.lesions = lesions.judge(overlay, places_seen(overlay.validity));
     last = overlay;
-    if (follower) look_for_organ(frame, overlay.validity);
+    if (few_points && overlay.validity == Validity::too_few_points)
+      last.validity = overlay.validity = few_points->reason(frame, clock);
+    if (follower && has_pictures) look_for_organ(frame, overlay.validity);
     return drawn(std::move(overlay));
   }
 
@@ -428,8 +420,9 @@ struct Tracker::Impl {
   OverlayFrame last;               ///< of pictures, as it was judged
   int frames = 0, last_valid = 0;  ///< since begin(); the last that was valid
   LesionJudge lesions;
-  std::unique_ptr<Judge> judge;          ///< none while clouds are followed
-  std::unique_ptr<Relocator> relocator;  ///< likewise
+  std::unique_ptr<Judge> judge;           ///< none while clouds are followed
+  std::unique_ptr<FewPoints> few_points;  ///< likewise
+  std::unique_ptr<Relocator> relocator;   ///< likewise
   SeenParts parts;
   bool is_believed = true;        ///< surfaces did not refute the start, or a frame was valid since
   FrameClock clock;               ///< since begin()

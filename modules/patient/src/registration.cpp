@@ -67,6 +67,12 @@ const char* validity_code(Validity validity) {
       return "mostly_masked";
     case Validity::masked_out:
       return "masked_out";
+    case Validity::view_lost:
+      return "view_lost";
+    case Validity::views_swapped:
+      return "views_swapped";
+    case Validity::picture_lost:
+      return "picture_lost";
   }
   return "unknown";
 }
@@ -80,9 +86,19 @@ Level level_of(Validity validity) {
 }
 
 bool is_followed(Validity validity) {
-  return validity != Validity::not_started && validity != Validity::too_few_points &&
-         validity != Validity::masked_out && validity != Validity::inconsistent_motion &&
-         validity != Validity::mechanics_failed;
+  switch (validity) {
+    case Validity::not_started:
+    case Validity::too_few_points:
+    case Validity::masked_out:
+    case Validity::view_lost:
+    case Validity::views_swapped:
+    case Validity::picture_lost:
+    case Validity::inconsistent_motion:
+    case Validity::mechanics_failed:
+      return false;
+    default:
+      return true;
+  }
 }
 
 }  // namespace glisson

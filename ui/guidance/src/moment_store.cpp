@@ -78,7 +78,10 @@ void MomentStore::keep(const Moment& moment, int generation) {
   kept.overlay = moment.overlay;
   QBuffer buffer(&kept.picture);
   buffer.open(QIODevice::WriteOnly);
-  if (!scene::view_as_image(moment.left).save(&buffer, "JPG", kQuality)) return;
+  QImage picture = scene::view_as_image(moment.left);
+  // The writer's own order of colours: any other would become four bytes a pixel first.
+  if (moment.left.channels == 3) picture = picture.convertToFormat(QImage::Format_RGB888);
+  if (!picture.save(&buffer, "JPG", kQuality)) return;
   {
     const std::lock_guard lock(mutex_);
     if (generation != generation_) return;

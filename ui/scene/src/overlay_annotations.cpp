@@ -15,7 +15,8 @@ namespace {
 /// Red where the method has lost the organ, amber where it waits, must be run again or knows less.
 QColor border_colour(Validity validity) {
   const bool waits = validity == Validity::not_started || validity == Validity::stale ||
-                     validity == Validity::too_few_points || level_of(validity) == Level::degraded;
+                     validity == Validity::too_few_points || validity == Validity::picture_lost ||
+                     level_of(validity) == Level::degraded;
   return waits ? kAmber : QColor(229, 57, 53);
 }
 

@@ -47,6 +47,12 @@ class Overlay {
         return tr("the mask network takes most of the organ for something else");
       case Validity::masked_out:
         return tr("the mask network leaves too little of the organ");
+      case Validity::view_lost:
+        return tr("one of the two views shows nothing");
+      case Validity::views_swapped:
+        return tr("left and right view are swapped");
+      case Validity::picture_lost:
+        return tr("too little can be made out in the picture");
     }
     return {};
   }
@@ -83,6 +89,12 @@ class Overlay {
         return tr("Clear the smoke, wipe the lens, check the lamp.");
       case Validity::proposed:
         return tr("Use this place, refine it, or put it back.");
+      case Validity::view_lost:
+        return tr("Check the camera that shows nothing, and its cable.");
+      case Validity::views_swapped:
+        return tr("Connect the two cameras the other way round, or open their videos in the other order.");
+      case Validity::picture_lost:
+        return tr("Clear the smoke, wipe the lens, check lamp and focus.");
       case Validity::mostly_masked:
       case Validity::masked_out:
         return tr("Show more of the organ; if the network is wrong, remove it.");

@@ -101,7 +101,11 @@ enum class Validity {
   proposed,        ///< a place to be looked at: another one than the registered, or one that a hand has set
   // By a person's own network that masks what is not liver:
   mostly_masked,  ///< most of the organ in sight is masked
-  masked_out      ///< so much that too few points are left
+  masked_out,     ///< so much that too few points are left
+  // Why too few points are left, where the pictures tell:
+  view_lost,      ///< one of the two views shows nothing
+  views_swapped,  ///< the left view is the right camera's, and the other way round
+  picture_lost    ///< too little can be made out: dark, in smoke, noise
 };
 inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::not_started,
@@ -118,7 +122,10 @@ inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::picture_still,
                                            Validity::proposed,
                                            Validity::mostly_masked,
-                                           Validity::masked_out};
+                                           Validity::masked_out,
+                                           Validity::view_lost,
+                                           Validity::views_swapped,
+                                           Validity::picture_lost};
 const char* validity_code(Validity validity);
 
 Level level_of(Validity validity);

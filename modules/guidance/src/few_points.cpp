@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "few_points.h"
+
+#include <algorithm>
+
+#include "glisson/core/error.h"
+#include "picture_check.h"
+
+namespace glisson::guidance {
+namespace {
+
+constexpr int kWidth = 320, kStep = 8;       ///< of the reduced pictures, and of the grid there
+constexpr double kNear = 0.04, kFar = 0.30;  ///< metres
+constexpr double kGone = 0.1;                ///< of a view's detail: less is no picture
+constexpr double kLookEvery = 0.3;           ///< seconds between two looks at whether the views are swapped
+/// Of the places that stereo saw at the start, what it sees in the other order; and how many times as much as
+/// in this one, where what repeats is matched by chance.
+constexpr double kSeen = 0.4, kTimes = 2.0;
+
+double detail_of(const Picture& picture, const JudgeOptions& options) {
+  return std::max(options.least_signal, measure(picture).signal());
+}
+
+}  // namespace
+
+FewPoints::FewPoints(const StereoRig& rig, const StereoFrame& first, const JudgeOptions& options)
+    : options_(options),
+      stereo_(rig, kWidth, kStep, kNear, kFar),
+      left_(detail_of(first.left, options)),
+      right_(detail_of(first.right, options)),
+      seen_(stereo_.see(first.left, first.right).size()) {}
+
+bool FewPoints::are_swapped(const StereoFrame& frame, const FrameClock& clock) {
+  if (looked_ >= 0.0 && !clock.is_due(looked_, kLookEvery)) return swapped_;
+  looked_ = clock.now();
+  const auto as_it_is = static_cast<double>(stereo_.see(frame.left, frame.right).size()),
+             swapped = static_cast<double>(stereo_.see(frame.right, frame.left).size());
+  swapped_ = swapped > kSeen * static_cast<double>(seen_) && swapped > kTimes * as_it_is;
+  return swapped_;
+}
+
+Validity FewPoints::reason(const StereoFrame& frame, const FrameClock& clock) {
+  const Picture &left_view = frame.left, &right_view = frame.right;
+  if (left_view.empty() != right_view.empty()) return Validity::view_lost;
+  if (left_view.empty() || left_view.width != right_view.width || left_view.height != right_view.height)
+    return Validity::too_few_points;
+  const double left = measure(left_view).signal() / left_, right = measure(right_view).signal() / right_;
+  const double less = std::min(left, right), more = std::max(left, right);
+  if (less < kGone && more > options_.contrast) return Validity::view_lost;
+  if (less < options_.contrast) return Validity::picture_lost;
+  try {
+    if (are_swapped(frame, clock)) return Validity::views_swapped;
+  } catch (const InputError&) {
+    // Of another size than the calibration's, which is told elsewhere.
+  }
+  return Validity::too_few_points;
+}
+
+}  // namespace glisson::guidance
