@@ -4107,6 +4107,1582 @@
         <source>names what is no lesion</source>
         <translation>nennt, was keine Läsion ist</translation>
     </message>
+    <message>
+        <source>is not an object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>is not a list</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>is not of the right kind</source>
+        <translation>ist nicht von der richtigen Art</translation>
+    </message>
+    <message>
+        <source>is unknown</source>
+        <translation>ist unbekannt</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is unknown</source>
+        <translation>ist „%1“, das ist unbekannt</translation>
+    </message>
+    <message>
+        <source>is none that is known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is not that of an atlas</source>
+        <translation>ist nicht das eines Atlas</translation>
+    </message>
+    <message>
+        <source>holds something else than texts</source>
+        <translation>enthält anderes als Texte</translation>
+    </message>
+    <message>
+        <source>holds something else than numbers</source>
+        <translation>enthält anderes als Zahlen</translation>
+    </message>
+    <message>
+        <source>holds something else than numbers above 0</source>
+        <translation>enthält anderes als Zahlen über 0</translation>
+    </message>
+    <message>
+        <source>needs %1 rows</source>
+        <translation>braucht %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>needs %1 numbers a row</source>
+        <translation>braucht %1 Zahlen je Zeile</translation>
+    </message>
+    <message>
+        <source>needs six numbers a point</source>
+        <translation>braucht sechs Zahlen je Punkt</translation>
+    </message>
+    <message>
+        <source>needs one entry a member, three at least</source>
+        <translation>braucht einen Eintrag je Mitglied, mindestens drei</translation>
+    </message>
+    <message>
+        <source>is below 1</source>
+        <translation>ist unter 1</translation>
+    </message>
+    <message>
+        <source>are none</source>
+        <translation>sind keine</translation>
+    </message>
+    <message>
+        <source>are not as many as covariances and sources</source>
+        <translation>sind nicht so viele wie Kovarianzen und Quellen</translation>
+    </message>
+    <message>
+        <source>are not as many as the structure has</source>
+        <translation>sind nicht so viele, wie die Struktur hat</translation>
+    </message>
+    <message>
+        <source>holds a matrix that is no covariance</source>
+        <translation>enthält eine Matrix, die keine Kovarianz ist</translation>
+    </message>
+    <message>
+        <source>name a structure twice</source>
+        <translation>nennen eine Struktur zweimal</translation>
+    </message>
+    <message>
+        <source>entry %1 holds something that is not a number</source>
+        <translation>Eintrag %1 enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>entry %1 is not a triple</source>
+        <translation>Eintrag %1 hat nicht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>entry %1 is nowhere near a patient</source>
+        <translation>Eintrag %1 liegt weit weg von jedem Patienten</translation>
+    </message>
+    <message>
+        <source>has an entry that is not of six numbers</source>
+        <translation>hat einen Eintrag, der nicht sechs Zahlen hat</translation>
+    </message>
+    <message>
+        <source>has an entry that is not a number</source>
+        <translation>hat einen Eintrag, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>holds %1 cells, not %2 x %3</source>
+        <translation>enthält %1 Zellen, nicht %2 x %3</translation>
+    </message>
+    <message>
+        <source>is of %1 points, whole.ply holds %2</source>
+        <translation>gilt für %1 Punkte, whole.ply enthält %2</translation>
+    </message>
+    <message>
+        <source>is %1, that of the case&apos;s pictures %2</source>
+        <translation>ist %1, die der Bilder des Falls %2</translation>
+    </message>
+    <message>
+        <source>says that they are of the case&apos;s pictures, there are none</source>
+        <translation>sagt, sie seien aus den Bildern des Falls, aber es gibt keine</translation>
+    </message>
+    <message>
+        <source>is not a key of a load file</source>
+        <translation>ist kein Schlüssel einer Lastdatei</translation>
+    </message>
+    <message>
+        <source>is not three numbers</source>
+        <translation>hat nicht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>is not three finite numbers</source>
+        <translation>hat nicht drei endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>ist null</translation>
+    </message>
+    <message>
+        <source>is %1 Pa</source>
+        <translation>ist %1 Pa</translation>
+    </message>
+    <message>
+        <source>holds %1, which is no index</source>
+        <translation>enthält %1, das ist kein Index</translation>
+    </message>
+    <message>
+        <source>holds no load</source>
+        <translation>enthält keine Last</translation>
+    </message>
+    <message>
+        <source>has no place</source>
+        <translation>hat keinen Ort</translation>
+    </message>
+    <message>
+        <source>has several places</source>
+        <translation>hat mehrere Orte</translation>
+    </message>
+    <message>
+        <source>lies above high_mm</source>
+        <translation>liegt über high_mm</translation>
+    </message>
+    <message>
+        <source>names no ball, box or direction</source>
+        <translation>nennt keine Kugel, keinen Quader und keine Richtung</translation>
+    </message>
+    <message>
+        <source>names no nodes</source>
+        <translation>nennt keine Knoten</translation>
+    </message>
+    <message>
+        <source>stands beside a region</source>
+        <translation>steht neben einem Gebiet</translation>
+    </message>
+    <message>
+        <source>stands beside from or to</source>
+        <translation>steht neben from oder to</translation>
+    </message>
+    <message>
+        <source>stands beside structure</source>
+        <translation>steht neben structure</translation>
+    </message>
+    <message>
+        <source>SCALARS have no LOOKUP_TABLE</source>
+        <translation>SCALARS haben keine LOOKUP_TABLE</translation>
+    </message>
+    <message>
+        <source>SCALARS have no number of components</source>
+        <translation>SCALARS haben keine Zahl der Komponenten</translation>
+    </message>
+    <message>
+        <source>an array stands before POINT_DATA and CELL_DATA</source>
+        <translation>ein Feld steht vor POINT_DATA und CELL_DATA</translation>
+    </message>
+    <message>
+        <source>announces %1 cells and holds %2</source>
+        <translation>kündigt %1 Zellen an und enthält %2</translation>
+    </message>
+    <message>
+        <source>announces %1 items, more than the file holds</source>
+        <translation>kündigt %1 Einträge an, mehr als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>announces more cells than the mesh of an organ needs</source>
+        <translation>kündigt mehr Zellen an, als das Netz eines Organs braucht</translation>
+    </message>
+    <message>
+        <source>announces more numbers than a mesh needs</source>
+        <translation>kündigt mehr Zahlen an, als ein Netz braucht</translation>
+    </message>
+    <message>
+        <source>announces more numbers than the file holds</source>
+        <translation>kündigt mehr Zahlen an, als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>announces more blocks than the file holds</source>
+        <translation>kündigt mehr Blöcke an, als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>announces a block larger than it can be</source>
+        <translation>kündigt einen Block an, der größer ist, als er sein kann</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>cell %1 has no points</source>
+        <translation>Zelle %1 hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>cell %1 has a list longer than the section</source>
+        <translation>Zelle %1 hat eine Liste, die länger als der Abschnitt ist</translation>
+    </message>
+    <message>
+        <source>cell %1 has offsets out of range</source>
+        <translation>Zelle %1 hat Anfänge außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>cells have no CONNECTIVITY</source>
+        <translation>Zellen haben keine CONNECTIVITY</translation>
+    </message>
+    <message>
+        <source>cells have no OFFSETS</source>
+        <translation>Zellen haben keine OFFSETS</translation>
+    </message>
+    <message>
+        <source>has %1 cells and %2 cell types</source>
+        <translation>hat %1 Zellen und %2 Zellarten</translation>
+    </message>
+    <message>
+        <source>has cells without CELL_TYPES</source>
+        <translation>hat Zellen ohne CELL_TYPES</translation>
+    </message>
+    <message>
+        <source>holds a %1, neither POLYDATA nor UNSTRUCTURED_GRID</source>
+        <translation>enthält %1, weder POLYDATA noch UNSTRUCTURED_GRID</translation>
+    </message>
+    <message>
+        <source>holds an array of strings; remove it (&quot;%1&quot;)</source>
+        <translation>enthält ein Feld mit Texten („%1“); entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>is neither ASCII nor BINARY</source>
+        <translation>ist weder ASCII noch BINARY</translation>
+    </message>
+    <message>
+        <source>the cells hold a number that is not whole or far too large</source>
+        <translation>die Zellen enthalten eine Zahl, die nicht ganz oder viel zu groß ist</translation>
+    </message>
+    <message>
+        <source>unknown number type &quot;%1&quot;</source>
+        <translation>unbekannter Zahlentyp „%1“</translation>
+    </message>
+    <message>
+        <source>unknown section &quot;%1&quot;</source>
+        <translation>unbekannter Abschnitt „%1“</translation>
+    </message>
+    <message>
+        <source>a tetrahedron names a node that is not there</source>
+        <translation>ein Tetraeder nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>holds volume elements of gmsh type %1; save linear tetrahedra only</source>
+        <translation>enthält Volumenelemente vom gmsh-Typ %1; speichern Sie nur lineare Tetraeder</translation>
+    </message>
+    <message>
+        <source>is a binary gmsh file; save it as ascii</source>
+        <translation>ist eine binäre gmsh-Datei; speichern Sie sie als Text (ascii)</translation>
+    </message>
+    <message>
+        <source>is of gmsh format %1; save it in version 2 or 4</source>
+        <translation>ist vom gmsh-Format %1; speichern Sie es in Version 2 oder 4</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three vertices</source>
+        <translation>eine Fläche hat weniger als drei Eckpunkte</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>eine Fläche nennt einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a face names no vertex number</source>
+        <translation>eine Fläche nennt keine Nummer eines Eckpunkts</translation>
+    </message>
+    <message>
+        <source>a vertex needs three numbers</source>
+        <translation>ein Eckpunkt braucht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>the file ends inside a facet</source>
+        <translation>die Datei endet in einer Facette</translation>
+    </message>
+    <message>
+        <source>the file ends inside binary data</source>
+        <translation>die Datei endet in binären Daten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no entry of a PLY header</source>
+        <translation>„%1“ ist kein Eintrag eines PLY-Kopfes</translation>
+    </message>
+    <message>
+        <source>a list&apos;s count has no integer type</source>
+        <translation>die Anzahl einer Liste hat keinen ganzzahligen Typ</translation>
+    </message>
+    <message>
+        <source>a property has no name</source>
+        <translation>eine Eigenschaft hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>a property stands before any element</source>
+        <translation>eine Eigenschaft steht vor jedem Element</translation>
+    </message>
+    <message>
+        <source>an element has no valid count</source>
+        <translation>ein Element hat keine gültige Anzahl</translation>
+    </message>
+    <message>
+        <source>element %1 comes a second time</source>
+        <translation>Element %1 kommt ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>property %1 comes a second time</source>
+        <translation>Eigenschaft %1 kommt ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>no format was named</source>
+        <translation>kein Format ist genannt</translation>
+    </message>
+    <message>
+        <source>the file ends before end_header</source>
+        <translation>die Datei endet vor end_header</translation>
+    </message>
+    <message>
+        <source>unknown format &quot;%1&quot;</source>
+        <translation>unbekanntes Format „%1“</translation>
+    </message>
+    <message>
+        <source>unknown property type &quot;%1&quot;</source>
+        <translation>unbekannter Typ „%1“ einer Eigenschaft</translation>
+    </message>
+    <message>
+        <source>expected a number, found %1</source>
+        <translation>erwartet ist eine Zahl, gefunden wurde %1</translation>
+    </message>
+    <message>
+        <source>expected a whole number, found %1</source>
+        <translation>erwartet ist eine ganze Zahl, gefunden wurde %1</translation>
+    </message>
+    <message>
+        <source>an array is closed by another element</source>
+        <translation>ein Feld wird von einem anderen Element geschlossen</translation>
+    </message>
+    <message>
+        <source>closes %1, which is not open</source>
+        <translation>schließt %1, das nicht offen ist</translation>
+    </message>
+    <message>
+        <source>elements lie in elements too deeply</source>
+        <translation>Elemente liegen zu tief in Elementen</translation>
+    </message>
+    <message>
+        <source>ends early, or is no base64</source>
+        <translation>endet zu früh oder ist kein base64</translation>
+    </message>
+    <message>
+        <source>ends inside a number</source>
+        <translation>endet in einer Zahl</translation>
+    </message>
+    <message>
+        <source>ends inside an array</source>
+        <translation>endet in einem Feld</translation>
+    </message>
+    <message>
+        <source>ends inside %1</source>
+        <translation>endet in %1</translation>
+    </message>
+    <message>
+        <source>has a type that is none</source>
+        <translation>hat eine Art, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has an encoding that is none</source>
+        <translation>hat eine Kodierung, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has no beginning or no end</source>
+        <translation>hat keinen Anfang oder kein Ende</translation>
+    </message>
+    <message>
+        <source>has no offset</source>
+        <translation>hat keinen Anfang (offset)</translation>
+    </message>
+    <message>
+        <source>has offsets out of range</source>
+        <translation>hat Anfänge (offsets) außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>has the format &quot;%1&quot;, which is none</source>
+        <translation>hat das Format „%1“, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has the type &quot;%1&quot;, which is no number&apos;s</source>
+        <translation>hat den Typ „%1“, den keine Zahl hat</translation>
+    </message>
+    <message>
+        <source>have no connectivity, offsets or types</source>
+        <translation>haben keine connectivity, offsets oder types</translation>
+    </message>
+    <message>
+        <source>have not three coordinates each</source>
+        <translation>haben nicht je drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>hold %1 offsets where %2 cells are announced</source>
+        <translation>enthalten %1 Anfänge (offsets), angekündigt sind %2 Zellen</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers or more where %2 are announced</source>
+        <translation>enthält %1 Zahlen oder mehr, angekündigt sind %2</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers where %2 times %3 are announced</source>
+        <translation>enthält %1 Zahlen, angekündigt sind %2 mal %3</translation>
+    </message>
+    <message>
+        <source>holds a number that is not whole, negative or far too large</source>
+        <translation>enthält eine Zahl, die nicht ganz, negativ oder viel zu groß ist</translation>
+    </message>
+    <message>
+        <source>holds a packed block that is damaged</source>
+        <translation>enthält einen gepackten Block, der beschädigt ist</translation>
+    </message>
+    <message>
+        <source>holds more than a mesh does, with the arrays before it</source>
+        <translation>enthält mit den Feldern davor mehr als ein Netz</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, neither UnstructuredGrid nor PolyData</source>
+        <translation>ist „%1“, weder UnstructuredGrid noch PolyData</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no count</source>
+        <translation>ist „%1“, das ist keine Anzahl</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is not read</source>
+        <translation>ist „%1“, das wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>is missing: this is no VTK file</source>
+        <translation>fehlt: Das ist keine VTK-Datei</translation>
+    </message>
+    <message>
+        <source>lies beyond the file&apos;s end</source>
+        <translation>liegt hinter dem Ende der Datei</translation>
+    </message>
+    <message>
+        <source>an instruction does not end</source>
+        <translation>eine Anweisung endet nicht</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>ein Kommentar endet nicht</translation>
+    </message>
+    <message>
+        <source>a tag does not end</source>
+        <translation>ein Tag endet nicht</translation>
+    </message>
+    <message>
+        <source>a tag or an attribute has no name</source>
+        <translation>ein Tag oder ein Attribut hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>an attribute has no value in quotation marks</source>
+        <translation>ein Attribut hat keinen Wert in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>an attribute holds an entity that is not known</source>
+        <translation>ein Attribut enthält ein unbekanntes Zeichenkürzel (&amp;...;)</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s value does not end</source>
+        <translation>der Wert eines Attributs endet nicht</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s value holds a tag</source>
+        <translation>der Wert eines Attributs enthält ein Tag</translation>
+    </message>
+    <message>
+        <source>holds a document type or a section that is not read</source>
+        <translation>enthält einen Dokumenttyp oder Abschnitt, der nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>the attribute %1 has no value</source>
+        <translation>das Attribut %1 hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the attribute %1 stands twice</source>
+        <translation>das Attribut %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>holds more volume (%1 ml) than the liver in %2 (%3 ml)</source>
+        <translation>hat mehr Volumen (%1 ml) als die Leber in %2 (%3 ml)</translation>
+    </message>
+    <message>
+        <source>holds no closed surface of 15 mm3 or more</source>
+        <translation>enthält keine geschlossene Oberfläche von 15 mm3 oder mehr</translation>
+    </message>
+    <message>
+        <source>is %1 mm large, the liver %2 mm</source>
+        <translation>ist %1 mm groß, die Leber %2 mm</translation>
+    </message>
+    <message>
+        <source>is named twice</source>
+        <translation>ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>is named twice: %1 and %2</source>
+        <translation>ist zweimal genannt: %1 und %2</translation>
+    </message>
+    <message>
+        <source>is no structure that is known</source>
+        <translation>ist keine bekannte Struktur</translation>
+    </message>
+    <message>
+        <source>is none of mm, cm, m</source>
+        <translation>ist weder mm noch cm noch m</translation>
+    </message>
+    <message>
+        <source>lies elsewhere than the liver in %1</source>
+        <translation>liegt anderswo als die Leber in %1</translation>
+    </message>
+    <message>
+        <source>names no file</source>
+        <translation>nennt keine Datei</translation>
+    </message>
+    <message>
+        <source>the surface is open: it has holes, or edges with more than two triangles</source>
+        <translation>die Oberfläche ist offen: Sie hat Löcher oder Kanten mit mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>there is no surface of that name</source>
+        <translation>es gibt keine Oberfläche dieses Namens</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not three numbers</source>
+        <translation>„%1“ hat nicht drei Zahlen</translation>
+    </message>
+    <message>
+        <source>&quot;edit&quot; is none of set_root, prune, join</source>
+        <translation>„edit“ ist weder set_root noch prune noch join</translation>
+    </message>
+    <message>
+        <source>has no &quot;%1&quot;</source>
+        <translation>hat kein „%1“</translation>
+    </message>
+    <message>
+        <source>is more than %1 million voxels and channels</source>
+        <translation>ist mehr als %1 Millionen Voxel und Kanäle</translation>
+    </message>
+    <message>
+        <source>is not two or three numbers</source>
+        <translation>hat nicht zwei oder drei Zahlen</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is no label</source>
+        <translation>nennt „%1“, das ist kein Label</translation>
+    </message>
+    <message>
+        <source>holds what is no number from %1</source>
+        <translation>enthält, was keine Zahl von %1 ist</translation>
+    </message>
+    <message>
+        <source>holds what is no text</source>
+        <translation>enthält, was kein Text ist</translation>
+    </message>
+    <message>
+        <source>is no number from %1</source>
+        <translation>ist keine Zahl von %1</translation>
+    </message>
+    <message>
+        <source>has not as many numbers as it has rows and columns</source>
+        <translation>hat nicht so viele Zahlen, wie es Zeilen und Spalten hat</translation>
+    </message>
+    <message>
+        <source>is not a matrix of a calibration&apos;s size</source>
+        <translation>ist keine Matrix von der Größe einer Kalibrierung</translation>
+    </message>
+    <message>
+        <source>is not a matrix of numbers</source>
+        <translation>ist keine Matrix aus Zahlen</translation>
+    </message>
+    <message>
+        <source>has %1 vertices, which are no line</source>
+        <translation>hat %1 Eckpunkte, das ist keine Linie</translation>
+    </message>
+    <message>
+        <source>has %1 vertices, which enclose nothing</source>
+        <translation>hat %1 Eckpunkte, die nichts umschließen</translation>
+    </message>
+    <message>
+        <source>has a vertex that is not [x, y]</source>
+        <translation>hat einen Eckpunkt, der nicht [x, y] ist</translation>
+    </message>
+    <message>
+        <source>has a vertex that is not finite</source>
+        <translation>hat einen Eckpunkt, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>has a vertex that lies far outside any picture</source>
+        <translation>hat einen Eckpunkt weit außerhalb jedes Bildes</translation>
+    </message>
+    <message>
+        <source>has a width that is not a positive number of pixels</source>
+        <translation>hat eine Breite, die keine positive Zahl von Pixeln ist</translation>
+    </message>
+    <message>
+        <source>has no label</source>
+        <translation>hat kein Kennzeichen</translation>
+    </message>
+    <message>
+        <source>has no polygon, and no curve that is a list</source>
+        <translation>hat kein Polygon und keine Kurve, die eine Liste ist</translation>
+    </message>
+    <message>
+        <source>is not one that a frame has (16 hexadecimal digits)</source>
+        <translation>ist keine, die ein Bild hat (16 hexadezimale Ziffern)</translation>
+    </message>
+    <message>
+        <source>is on no picture of a stereo laparoscope</source>
+        <translation>ist auf keinem Bild eines Stereolaparoskops</translation>
+    </message>
+    <message>
+        <source>has a negative number</source>
+        <translation>hat eine negative Zahl</translation>
+    </message>
+    <message>
+        <source>holds what is no number of pixels</source>
+        <translation>enthält, was keine Zahl von Pixeln ist</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>is neither True nor False</source>
+        <translation>ist weder True noch False</translation>
+    </message>
+    <message>
+        <source>is no description of a source</source>
+        <translation>ist keine Beschreibung einer Quelle</translation>
+    </message>
+    <message>
+        <source>is not [x, y, width, height]</source>
+        <translation>ist nicht [x, y, Breite, Höhe]</translation>
+    </message>
+    <message>
+        <source>is not that of a server, which sends both views</source>
+        <translation>ist nicht die eines Servers, der beide Ansichten sendet</translation>
+    </message>
+    <message>
+        <source>is one file too many for this layout</source>
+        <translation>ist eine Datei zu viel für diese Anordnung</translation>
+    </message>
+    <message>
+        <source>Add it</source>
+        <translation>Fügen Sie es hinzu</translation>
+    </message>
+    <message>
+        <source>Write a number</source>
+        <translation>Schreiben Sie eine Zahl</translation>
+    </message>
+    <message>
+        <source>Write a finite number</source>
+        <translation>Schreiben Sie eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>Write a list of numbers</source>
+        <translation>Schreiben Sie eine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>Write a list of texts in quotes</source>
+        <translation>Schreiben Sie eine Liste von Texten in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Write a text in quotes</source>
+        <translation>Schreiben Sie einen Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Write {&quot;channels&quot;: [...], ...}</source>
+        <translation>Schreiben Sie {&quot;channels&quot;: [...], ...}</translation>
+    </message>
+    <message>
+        <source>Write [0, 1, ...]</source>
+        <translation>Schreiben Sie [0, 1, ...]</translation>
+    </message>
+    <message>
+        <source>Write [x, y, z]</source>
+        <translation>Schreiben Sie [x, y, z]</translation>
+    </message>
+    <message>
+        <source>Write [{...}, ...]</source>
+        <translation>Schreiben Sie [{...}, ...]</translation>
+    </message>
+    <message>
+        <source>Write {...} there</source>
+        <translation>Schreiben Sie dort {...}</translation>
+    </message>
+    <message>
+        <source>Give 0-based indices</source>
+        <translation>Geben Sie Indizes ab 0 an</translation>
+    </message>
+    <message>
+        <source>Give a 0-based index</source>
+        <translation>Geben Sie einen Index ab 0 an</translation>
+    </message>
+    <message>
+        <source>Give 0-based node numbers</source>
+        <translation>Geben Sie Knotennummern ab 0 an</translation>
+    </message>
+    <message>
+        <source>Give a direction</source>
+        <translation>Geben Sie eine Richtung an</translation>
+    </message>
+    <message>
+        <source>Give a node or a point, or leave the target out</source>
+        <translation>Geben Sie einen Knoten oder einen Punkt an, oder lassen Sie das Ziel weg</translation>
+    </message>
+    <message>
+        <source>Give a number above 0</source>
+        <translation>Geben Sie eine Zahl über 0 an</translation>
+    </message>
+    <message>
+        <source>Give at most 1e5 Pa (12 mmHg are 1600 Pa)</source>
+        <translation>Geben Sie höchstens 1e5 Pa an (12 mmHg sind 1600 Pa)</translation>
+    </message>
+    <message>
+        <source>Give centre_mm and radius_mm, or low_mm and high_mm</source>
+        <translation>Geben Sie centre_mm und radius_mm an, oder low_mm und high_mm</translation>
+    </message>
+    <message>
+        <source>Give change, or to (and from)</source>
+        <translation>Geben Sie change an, oder to (und from)</translation>
+    </message>
+    <message>
+        <source>Give gravity, pressure, forces, springs or moved</source>
+        <translation>Geben Sie gravity, pressure, forces, springs oder moved an</translation>
+    </message>
+    <message>
+        <source>Give newton_per_metre or structure</source>
+        <translation>Geben Sie newton_per_metre oder structure an</translation>
+    </message>
+    <message>
+        <source>Give nodes or a region</source>
+        <translation>Geben Sie Knoten oder ein Gebiet an</translation>
+    </message>
+    <message>
+        <source>Give one of node, point_mm, region</source>
+        <translation>Geben Sie eines von node, point_mm, region an</translation>
+    </message>
+    <message>
+        <source>Give one or the other</source>
+        <translation>Geben Sie eines von beiden an</translation>
+    </message>
+    <message>
+        <source>Give seconds, 0 or more</source>
+        <translation>Geben Sie Sekunden an, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>Leave it out to press everywhere</source>
+        <translation>Lassen Sie es weg, um überall zu drücken</translation>
+    </message>
+    <message>
+        <source>Swap the coordinates</source>
+        <translation>Tauschen Sie die Koordinaten</translation>
+    </message>
+    <message>
+        <source>Save it packed by ZLib, or plain</source>
+        <translation>Speichern Sie es mit ZLib gepackt, oder ungepackt</translation>
+    </message>
+    <message>
+        <source>Close it (fill its holes) in the program that made it</source>
+        <translation>Schließen Sie sie (füllen Sie ihre Löcher) in dem Programm, das sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>Close the surfaces (fill their holes) in the program that made them</source>
+        <translation>Schließen Sie die Oberflächen (füllen Sie ihre Löcher) in dem Programm, das sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>Export all surfaces of one patient in one frame (LPS)</source>
+        <translation>Exportieren Sie alle Oberflächen eines Patienten in einem Koordinatensystem (LPS)</translation>
+    </message>
+    <message>
+        <source>Give this file&apos;s own unit in the list of surfaces, or export it in the liver&apos;s</source>
+        <translation>Geben Sie in der Liste der Oberflächen die Einheit dieser Datei an, oder exportieren Sie sie in der Einheit der Leber</translation>
+    </message>
+    <message>
+        <source>Keep one of them</source>
+        <translation>Behalten Sie eines davon</translation>
+    </message>
+    <message>
+        <source>Name the liver&apos;s surface liver.vtk, .vtp, .stl, .obj or .ply</source>
+        <translation>Nennen Sie die Oberfläche der Leber liver.vtk, .vtp, .stl, .obj oder .ply</translation>
+    </message>
+    <message>
+        <source>The two are probably swapped: name each file by what it shows</source>
+        <translation>Die beiden sind wohl vertauscht: Nennen Sie jede Datei nach dem, was sie zeigt</translation>
+    </message>
+    <message>
+        <source>Write [rows, columns] or [slices, rows, columns]</source>
+        <translation>Schreiben Sie [Zeilen, Spalten] oder [Schichten, Zeilen, Spalten]</translation>
+    </message>
+    <message>
+        <source>Write [rows, columns] or [slices, rows, columns], in millimetres</source>
+        <translation>Schreiben Sie [Zeilen, Spalten] oder [Schichten, Zeilen, Spalten], in Millimetern</translation>
+    </message>
+    <message>
+        <source>Use smaller tiles</source>
+        <translation>Nehmen Sie kleinere Kacheln</translation>
+    </message>
+    <message>
+        <source>Give mean_hu and sd_hu, or neither</source>
+        <translation>Geben Sie mean_hu und sd_hu an, oder keines von beiden</translation>
+    </message>
+    <message>
+        <source>Say where slices, rows and columns run to, one each of R or L, A or P, I or S, as &quot;SPL&quot;</source>
+        <translation>Sagen Sie, wohin Schichten, Zeilen und Spalten laufen, je eines von R oder L, A oder P, I oder S, wie &quot;SPL&quot;</translation>
+    </message>
+    <message>
+        <source>Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or lesions</source>
+        <translation>Nehmen Sie background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder oder lesions</translation>
+    </message>
+    <message>
+        <source>Write one name for each output channel, as [&quot;background&quot;, &quot;parenchyma&quot;]</source>
+        <translation>Schreiben Sie je Ausgangskanal einen Namen, etwa [&quot;background&quot;, &quot;parenchyma&quot;]</translation>
+    </message>
+    <message>
+        <source>Write the Hounsfield units that the network was trained on, as [-160, 240]</source>
+        <translation>Schreiben Sie die Hounsfield-Einheiten, mit denen das Netz trainiert wurde, etwa [-160, 240]</translation>
+    </message>
+    <message>
+        <source>Click three or more</source>
+        <translation>Klicken Sie drei oder mehr</translation>
+    </message>
+    <message>
+        <source>Click two or more</source>
+        <translation>Klicken Sie zwei oder mehr</translation>
+    </message>
+    <message>
+        <source>Expected {&quot;image&quot;: &quot;left&quot;, &quot;frame&quot;: 0, &quot;regions&quot;: [{&quot;label&quot;: &quot;surface&quot;, &quot;polygon&quot;: [[x, y], ...]}]}</source>
+        <translation>Erwartet wird {&quot;image&quot;: &quot;left&quot;, &quot;frame&quot;: 0, &quot;regions&quot;: [{&quot;label&quot;: &quot;surface&quot;, &quot;polygon&quot;: [[x, y], ...]}]}</translation>
+    </message>
+    <message>
+        <source>Labels are surface, anterior_margin and umbilical_notch</source>
+        <translation>Bezeichnungen sind surface, anterior_margin und umbilical_notch</translation>
+    </message>
+    <message>
+        <source>Take it out, or click the regions again</source>
+        <translation>Nehmen Sie es heraus, oder klicken Sie die Gebiete noch einmal</translation>
+    </message>
+    <message>
+        <source>Write &quot;left&quot; or &quot;right&quot; as its image</source>
+        <translation>Schreiben Sie &quot;left&quot; oder &quot;right&quot; als sein Bild</translation>
+    </message>
+    <message>
+        <source>Expected {&quot;left&quot;: &quot;scope.mkv&quot;, &quot;layout&quot;: &quot;side_by_side&quot; or &quot;top_bottom&quot; or &quot;row_interleaved&quot; or &quot;separate&quot;, ...}</source>
+        <translation>Erwartet wird {&quot;left&quot;: &quot;scope.mkv&quot;, &quot;layout&quot;: &quot;side_by_side&quot; oder &quot;top_bottom&quot; oder &quot;row_interleaved&quot; oder &quot;separate&quot;, ...}</translation>
+    </message>
+    <message>
+        <source>Name a video, a folder of pictures or a device</source>
+        <translation>Nennen Sie ein Video, einen Ordner mit Bildern oder ein Gerät</translation>
+    </message>
+    <message>
+        <source>Name both devices in one source, as igtl:127.0.0.1:18944/LEFT,RIGHT, without a layout</source>
+        <translation>Nennen Sie beide Geräte in einer Quelle, wie igtl:127.0.0.1:18944/LEFT,RIGHT, ohne Anordnung</translation>
+    </message>
+    <message>
+        <source>Separate views have a left and a right source, others one</source>
+        <translation>Getrennte Ansichten haben eine linke und eine rechte Quelle, andere nur eine</translation>
+    </message>
+    <message>
+        <source>holds no slice</source>
+        <translation>enthält keine Schicht</translation>
+    </message>
+    <message>
+        <source>are shifted against each other across their normal</source>
+        <translation>sind quer zu ihrer Normalen gegeneinander verschoben</translation>
+    </message>
+    <message>
+        <source>claims more pixels than a segmentation can mean</source>
+        <translation>behauptet mehr Pixel, als eine Segmentierung meinen kann</translation>
+    </message>
+    <message>
+        <source>differ in orientation or pixel spacing</source>
+        <translation>unterscheiden sich in Ausrichtung oder Pixelgröße</translation>
+    </message>
+    <message>
+        <source>do not lie at equal steps along their normal</source>
+        <translation>liegen nicht in gleichen Abständen entlang ihrer Normalen</translation>
+    </message>
+    <message>
+        <source>does not hold one item a frame</source>
+        <translation>enthält nicht einen Eintrag je Bild</translation>
+    </message>
+    <message>
+        <source>ends early: the file was cut</source>
+        <translation>endet zu früh: Die Datei wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes where %2 are expected: the file is damaged</source>
+        <translation>enthält %1 Bytes, erwartet sind %2: Die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>holds more segments than it can</source>
+        <translation>enthält mehr Segmente, als möglich ist</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, of which the border is not known</source>
+        <translation>ist „%1“, davon ist die Grenze nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is %1 twice</source>
+        <translation>ist zweimal %1</translation>
+    </message>
+    <message>
+        <source>is %1, which is no segment of the file</source>
+        <translation>ist %1, das ist kein Segment der Datei</translation>
+    </message>
+    <message>
+        <source>is %1, which no segmentation of bits has</source>
+        <translation>ist %1, das hat keine Segmentierung aus Bits</translation>
+    </message>
+    <message>
+        <source>is missing in a file of one slice</source>
+        <translation>fehlt in einer Datei mit einer Schicht</translation>
+    </message>
+    <message>
+        <source>is missing in a frame</source>
+        <translation>fehlt in einem Bild</translation>
+    </message>
+    <message>
+        <source>is missing in a frame, so that its place in the patient is unknown</source>
+        <translation>fehlt in einem Bild, dessen Ort im Patienten deshalb unbekannt ist</translation>
+    </message>
+    <message>
+        <source>is missing or no number</source>
+        <translation>fehlt oder ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>says that it is a label map segmentation, which is not read</source>
+        <translation>sagt, es sei eine Segmentierung als Labelkarte, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>says that it is no segmentation but another DICOM object</source>
+        <translation>sagt, es sei keine Segmentierung, sondern ein anderes DICOM-Objekt</translation>
+    </message>
+    <message>
+        <source>says that the bits are compressed or swapped</source>
+        <translation>sagt, die Bits seien gepackt oder vertauscht</translation>
+    </message>
+    <message>
+        <source>claims more than 8192 pixels a side, which no scanner&apos;s slices have</source>
+        <translation>behauptet mehr als 8192 Pixel je Seite, so viele hat keine Schicht eines Scanners</translation>
+    </message>
+    <message>
+        <source>holds no series %1, but %2</source>
+        <translation>enthält keine Serie %1, sondern %2</translation>
+    </message>
+    <message>
+        <source>holds several series %1, but %2</source>
+        <translation>enthält mehrere Serien %1, nämlich %2</translation>
+    </message>
+    <message>
+        <source>names another patient (0010|0010, 0010|0020, 0010|0030) than %1</source>
+        <translation>nennt einen anderen Patienten (0010|0010, 0010|0020, 0010|0030) als %1</translation>
+    </message>
+    <message>
+        <source>has rows that are not of length 1</source>
+        <translation>hat Zeilen, deren Länge nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>is %1, beyond what the file holds</source>
+        <translation>ist %1, mehr als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>is False: voxels as text are not read</source>
+        <translation>ist False: Voxel als Text werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>is not 0</source>
+        <translation>ist nicht 0</translation>
+    </message>
+    <message>
+        <source>is not 1</source>
+        <translation>ist nicht 1</translation>
+    </message>
+    <message>
+        <source>names no single file of voxels</source>
+        <translation>nennt keine einzelne Datei mit Voxeln</translation>
+    </message>
+    <message>
+        <source>are no scale of intensities</source>
+        <translation>sind keine Skala von Intensitäten</translation>
+    </message>
+    <message>
+        <source>has an origin that is not finite</source>
+        <translation>hat einen Ursprung, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>is %1 where the datatype says %2</source>
+        <translation>ist %1, der datatype sagt aber %2</translation>
+    </message>
+    <message>
+        <source>is %1, which is no number of voxels</source>
+        <translation>ist %1, das ist keine Zahl von Voxeln</translation>
+    </message>
+    <message>
+        <source>is neither 1 nor -1</source>
+        <translation>ist weder 1 noch -1</translation>
+    </message>
+    <message>
+        <source>is no place in the file behind its header</source>
+        <translation>ist keine Stelle der Datei hinter ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>is no rotation: b, c and d are longer than 1 together</source>
+        <translation>ist keine Drehung: b, c und d sind zusammen länger als 1</translation>
+    </message>
+    <message>
+        <source>is no unit of length</source>
+        <translation>ist keine Längeneinheit</translation>
+    </message>
+    <message>
+        <source>says %1 mm from voxel to voxel, and the sform %2</source>
+        <translation>sagt %1 mm von Voxel zu Voxel, die sform aber %2</translation>
+    </message>
+    <message>
+        <source>says metres</source>
+        <translation>sagt Meter</translation>
+    </message>
+    <message>
+        <source>says micrometres</source>
+        <translation>sagt Mikrometer</translation>
+    </message>
+    <message>
+        <source>are &quot;%1&quot;</source>
+        <translation>sind „%1“</translation>
+    </message>
+    <message>
+        <source>are fewer than there are axes</source>
+        <translation>sind weniger, als es Achsen gibt</translation>
+    </message>
+    <message>
+        <source>are of fewer than three axes in space</source>
+        <translation>haben weniger als drei Achsen im Raum</translation>
+    </message>
+    <message>
+        <source>are of more than three axes in space</source>
+        <translation>haben mehr als drei Achsen im Raum</translation>
+    </message>
+    <message>
+        <source>hold a bracket that is not closed</source>
+        <translation>enthalten eine Klammer, die nicht geschlossen ist</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which is no vector</source>
+        <translation>enthält „%1“, das ist kein Vektor</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no patient&apos;s</source>
+        <translation>ist „%1“, das hat kein Patient</translation>
+    </message>
+    <message>
+        <source>is missing: the file does not say which way the patient lies</source>
+        <translation>fehlt: Die Datei sagt nicht, wie herum der Patient liegt</translation>
+    </message>
+    <message>
+        <source>is more than 16</source>
+        <translation>ist mehr als 16</translation>
+    </message>
+    <message>
+        <source>is not read here</source>
+        <translation>wird hier nicht gelesen</translation>
+    </message>
+    <message>
+        <source>are %1 mm apart between %2 and %3 and %4 mm elsewhere: a slice is missing or the spacing changes</source>
+        <translation>sind zwischen %2 und %3 %1 mm auseinander, sonst %4 mm: Eine Schicht fehlt, oder der Abstand wechselt</translation>
+    </message>
+    <message>
+        <source>are shifted against each other by %1 mm from the first to the last (gantry tilt of %2 degrees)</source>
+        <translation>sind von der ersten zur letzten um %1 mm gegeneinander verschoben (Neigung der Gantry: %2 Grad)</translation>
+    </message>
+    <message>
+        <source>Choose another series</source>
+        <translation>Wählen Sie eine andere Serie</translation>
+    </message>
+    <message>
+        <source>Export it as a binary DICOM segmentation</source>
+        <translation>Exportieren Sie es als binäre DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>Export it without compression (Explicit VR Little Endian)</source>
+        <translation>Exportieren Sie es ungepackt (Explicit VR Little Endian)</translation>
+    </message>
+    <message>
+        <source>Export the segmentation again</source>
+        <translation>Exportieren Sie die Segmentierung noch einmal</translation>
+    </message>
+    <message>
+        <source>Name a DICOM segmentation</source>
+        <translation>Nennen Sie eine DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>Name a DICOM segmentation (modality SEG); of a CT open the folder of its slices</source>
+        <translation>Nennen Sie eine DICOM-Segmentierung (Modalität SEG); von einem CT öffnen Sie den Ordner seiner Schichten</translation>
+    </message>
+    <message>
+        <source>Resample the segmentation to the CT&apos;s grid</source>
+        <translation>Rechnen Sie die Segmentierung auf das Gitter des CT um</translation>
+    </message>
+    <message>
+        <source>Export the series again, of one patient</source>
+        <translation>Exportieren Sie die Serie noch einmal, von einem Patienten</translation>
+    </message>
+    <message>
+        <source>Export the volume again, as one .mha file</source>
+        <translation>Exportieren Sie das Volumen noch einmal, als eine .mha-Datei</translation>
+    </message>
+    <message>
+        <source>Apply it to the voxels</source>
+        <translation>Wenden Sie es auf die Voxel an</translation>
+    </message>
+    <message>
+        <source>Correct it to 0</source>
+        <translation>Berichtigen Sie es auf 0</translation>
+    </message>
+    <message>
+        <source>Write it with BinaryData = True</source>
+        <translation>Schreiben Sie es mit BinaryData = True</translation>
+    </message>
+    <message>
+        <source>Set them to 1 and 0</source>
+        <translation>Setzen Sie sie auf 1 und 0</translation>
+    </message>
+    <message>
+        <source>Write it as left-posterior-superior with space directions in mm</source>
+        <translation>Schreiben Sie es als left-posterior-superior mit space directions in mm</translation>
+    </message>
+    <message>
+        <source>Write it with the encoding gzip or raw</source>
+        <translation>Schreiben Sie es mit der Kodierung gzip oder raw</translation>
+    </message>
+    <message>
+        <source>Write the data without bytes before them</source>
+        <translation>Schreiben Sie die Daten ohne Bytes davor</translation>
+    </message>
+    <message>
+        <source>Write the data without lines before them</source>
+        <translation>Schreiben Sie die Daten ohne Zeilen davor</translation>
+    </message>
+    <message>
+        <source>is not %1 x %2</source>
+        <translation>ist nicht %1 x %2</translation>
+    </message>
+    <message>
+        <source>is %1, which is no number</source>
+        <translation>ist %1, das ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, which is no small whole number</source>
+        <translation>ist %1, das ist keine kleine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, which is no structure</source>
+        <translation>ist %1, das ist keine Struktur</translation>
+    </message>
+    <message>
+        <source>is %1, which is no text</source>
+        <translation>ist %1, das ist kein Text</translation>
+    </message>
+    <message>
+        <source>is no field that is known here</source>
+        <translation>ist kein Feld, das hier bekannt ist</translation>
+    </message>
+    <message>
+        <source>is not made of %1 numbers each</source>
+        <translation>besteht nicht aus je %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>has a point that is nowhere near a patient</source>
+        <translation>hat einen Punkt weit weg von jedem Patienten</translation>
+    </message>
+    <message>
+        <source>is %1, which is locked</source>
+        <translation>ist %1, das ist gesperrt</translation>
+    </message>
+    <message>
+        <source>is the background</source>
+        <translation>ist der Hintergrund</translation>
+    </message>
+    <message>
+        <source>runs from %1 to %2</source>
+        <translation>reicht von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>are fewer than two with the rivals</source>
+        <translation>sind mit den Konkurrenten weniger als zwei</translation>
+    </message>
+    <message>
+        <source>are none that may keep what they win</source>
+        <translation>sind keine, die behalten dürfen, was sie gewinnen</translation>
+    </message>
+    <message>
+        <source>name %1, which is no structure</source>
+        <translation>nennen %1, das ist keine Struktur</translation>
+    </message>
+    <message>
+        <source>is the label that the branch has</source>
+        <translation>ist das Kennzeichen, das der Ast schon hat</translation>
+    </message>
+    <message>
+        <source>has fewer than three points</source>
+        <translation>hat weniger als drei Punkte</translation>
+    </message>
+    <message>
+        <source>has fewer than two points</source>
+        <translation>hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>has a normal that is not of length 1</source>
+        <translation>hat eine Normale, deren Länge nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>has a place that is not finite</source>
+        <translation>hat eine Stelle, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>has an offset that is not finite</source>
+        <translation>hat einen Versatz, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>is %1 thick</source>
+        <translation>ist %1 dick</translation>
+    </message>
+    <message>
+        <source>shows no view of space</source>
+        <translation>zeigt keine Ansicht des Raums</translation>
+    </message>
+    <message>
+        <source>is %1 with a high of %2</source>
+        <translation>ist %1 bei einer oberen Grenze von %2</translation>
+    </message>
+    <message>
+        <source>has the same place twice (%1 and %2)</source>
+        <translation>hat dieselbe Stelle zweimal (%1 und %2)</translation>
+    </message>
+    <message>
+        <source>is below 0.5 mm</source>
+        <translation>ist unter 0,5 mm</translation>
+    </message>
+    <message>
+        <source>leaves %1 between %2 and %3, more than 100 mm</source>
+        <translation>lässt %1 zwischen %2 und %3, mehr als 100 mm</translation>
+    </message>
+    <message>
+        <source>both places lie on one tree: a join would close a loop</source>
+        <translation>beide Stellen liegen auf einem Baum: Eine Verbindung würde einen Ring schließen</translation>
+    </message>
+    <message>
+        <source>lies %1 mm from the nearest vessel</source>
+        <translation>liegt %1 mm vom nächsten Gefäß</translation>
+    </message>
+    <message>
+        <source>one place lies on the %1, the other on the %2</source>
+        <translation>eine Stelle liegt auf %1, die andere auf %2</translation>
+    </message>
+    <message>
+        <source>the places lie %1 mm apart</source>
+        <translation>die Stellen liegen %1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>there is no vessel tree</source>
+        <translation>es gibt keinen Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known</source>
+        <translation>„%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 has %2 markers, too few for this board</source>
+        <translation>%1 hat %2 Marken, zu wenige für dieses Muster</translation>
+    </message>
+    <message>
+        <source>is %1 mm</source>
+        <translation>ist %1 mm</translation>
+    </message>
+    <message>
+        <source>matches itself but not the calibration (its points lie %1 pixels from their epipolar lines, %2 % of them before the cameras): the calibration is of another laparoscope, or of another zoom or focus</source>
+        <translation>passt zu sich, aber nicht zur Kalibrierung (seine Punkte liegen %1 Pixel neben ihren Epipolarlinien, %2 % davon vor den Kameras): Die Kalibrierung gehört zu einem anderen Laparoskop, oder zu anderem Zoom oder anderer Schärfe</translation>
+    </message>
+    <message>
+        <source>Give at least one</source>
+        <translation>Geben Sie mindestens einen an</translation>
+    </message>
+    <message>
+        <source>Write three lists of four numbers</source>
+        <translation>Schreiben Sie drei Listen von vier Zahlen</translation>
+    </message>
+    <message>
+        <source>Remove it, or correct its name</source>
+        <translation>Entfernen Sie es, oder berichtigen Sie den Namen</translation>
+    </message>
+    <message>
+        <source>Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder, lesion_1, other_1 and so on</source>
+        <translation>Nehmen Sie background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder, lesion_1, other_1 und so weiter</translation>
+    </message>
+    <message>
+        <source>Write a name in quotes</source>
+        <translation>Schreiben Sie einen Namen in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Write a whole number</source>
+        <translation>Schreiben Sie eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>Write it in square brackets</source>
+        <translation>Schreiben Sie es in eckigen Klammern</translation>
+    </message>
+    <message>
+        <source>Write lists of numbers</source>
+        <translation>Schreiben Sie Listen von Zahlen</translation>
+    </message>
+    <message>
+        <source>Write true or false</source>
+        <translation>Schreiben Sie true oder false</translation>
+    </message>
+    <message>
+        <source>Choose 0, 1 or 2: the voxel axis across the slice</source>
+        <translation>Wählen Sie 0, 1 oder 2: die Voxelachse quer zur Schicht</translation>
+    </message>
+    <message>
+        <source>Choose 1 to %1</source>
+        <translation>Wählen Sie 1 bis %1</translation>
+    </message>
+    <message>
+        <source>Choose 1 and more: over what is usual</source>
+        <translation>Wählen Sie 1 und mehr: über das Übliche hinaus</translation>
+    </message>
+    <message>
+        <source>Choose a low that is not above the high</source>
+        <translation>Wählen Sie eine untere Grenze, die nicht über der oberen liegt</translation>
+    </message>
+    <message>
+        <source>Choose a structure</source>
+        <translation>Wählen Sie eine Struktur</translation>
+    </message>
+    <message>
+        <source>Choose more than 0 and at most %1</source>
+        <translation>Wählen Sie mehr als 0 und höchstens %1</translation>
+    </message>
+    <message>
+        <source>Give points of the CT&apos;s frame</source>
+        <translation>Geben Sie Punkte im Koordinatensystem des CT an</translation>
+    </message>
+    <message>
+        <source>Unlock it, or choose another one</source>
+        <translation>Entsperren Sie es, oder wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>Choose labels that compete</source>
+        <translation>Wählen Sie Kennzeichen, die konkurrieren</translation>
+    </message>
+    <message>
+        <source>Choose one or more to grow</source>
+        <translation>Wählen Sie eines oder mehr, die wachsen sollen</translation>
+    </message>
+    <message>
+        <source>Choose structures that have voxels</source>
+        <translation>Wählen Sie Strukturen, die Voxel haben</translation>
+    </message>
+    <message>
+        <source>Choose at least a slice&apos;s thickness</source>
+        <translation>Wählen Sie mindestens die Dicke einer Schicht</translation>
+    </message>
+    <message>
+        <source>Draw around an area</source>
+        <translation>Umfahren Sie eine Fläche</translation>
+    </message>
+    <message>
+        <source>Draw it in the view</source>
+        <translation>Zeichnen Sie es in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Give metres</source>
+        <translation>Geben Sie Meter an</translation>
+    </message>
+    <message>
+        <source>Give the 3 x 4 matrix of the view</source>
+        <translation>Geben Sie die 3 x 4-Matrix der Ansicht an</translation>
+    </message>
+    <message>
+        <source>Normalise it</source>
+        <translation>Normieren Sie sie</translation>
+    </message>
+    <message>
+        <source>Choose 0.5 to 8 mm</source>
+        <translation>Wählen Sie 0,5 bis 8 mm</translation>
+    </message>
+    <message>
+        <source>Click points between them</source>
+        <translation>Klicken Sie Punkte dazwischen</translation>
+    </message>
+    <message>
+        <source>Give the two ends of the gap</source>
+        <translation>Geben Sie die beiden Enden der Lücke an</translation>
+    </message>
+    <message>
+        <source>Join trees of one kind</source>
+        <translation>Verbinden Sie Bäume einer Art</translation>
+    </message>
+    <message>
+        <source>Point at a vessel of the model</source>
+        <translation>Zeigen Sie auf ein Gefäß des Modells</translation>
+    </message>
+    <message>
+        <source>Point at places within 60 mm</source>
+        <translation>Zeigen Sie auf Stellen, die höchstens 60 mm auseinander liegen</translation>
+    </message>
+    <message>
+        <source>Point at two different trees</source>
+        <translation>Zeigen Sie auf zwei verschiedene Bäume</translation>
+    </message>
+    <message>
+        <source>A marker is smaller than its square</source>
+        <translation>Eine Marke ist kleiner als ihr Feld</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s size and dictionary</source>
+        <translation>Prüfen Sie Größe und Wörterbuch des Musters</translation>
+    </message>
+    <message>
+        <source>Count the inner corners: from 3 to 50 a side</source>
+        <translation>Zählen Sie die inneren Ecken: 3 bis 50 je Seite</translation>
+    </message>
+    <message>
+        <source>Give OpenCV&apos;s name, such as DICT_4X4_50</source>
+        <translation>Geben Sie den Namen von OpenCV an, etwa DICT_4X4_50</translation>
+    </message>
+    <message>
+        <source>Measure the side of a square: up to 200 mm</source>
+        <translation>Messen Sie die Seite eines Feldes: bis zu 200 mm</translation>
+    </message>
+    <message>
+        <source>Give a number between -1 and 0.5</source>
+        <translation>Geben Sie eine Zahl zwischen -1 und 0,5 an</translation>
+    </message>
+    <message>
+        <source>Give numbers between -1 and 0.5</source>
+        <translation>Geben Sie Zahlen zwischen -1 und 0,5 an</translation>
+    </message>
+    <message>
+        <source>Give a relative residual between 0 and 1</source>
+        <translation>Geben Sie ein relatives Residuum zwischen 0 und 1 an</translation>
+    </message>
+    <message>
+        <source>Give positive lengths in metres</source>
+        <translation>Geben Sie positive Längen in Metern an</translation>
+    </message>
+    <message>
+        <source>Give positive numbers</source>
+        <translation>Geben Sie positive Zahlen an</translation>
+    </message>
+    <message>
+        <source>Give a positive length in metres</source>
+        <translation>Geben Sie eine positive Länge in Metern an</translation>
+    </message>
+    <message>
+        <source>Give a positive number</source>
+        <translation>Geben Sie eine positive Zahl an</translation>
+    </message>
+    <message>
+        <source>Give a positive number of pixels</source>
+        <translation>Geben Sie eine positive Zahl von Pixeln an</translation>
+    </message>
+    <message>
+        <source>Give a positive number of seconds</source>
+        <translation>Geben Sie eine positive Zahl von Sekunden an</translation>
+    </message>
+    <message>
+        <source>Give a positive number up to %1</source>
+        <translation>Geben Sie eine positive Zahl bis %1 an</translation>
+    </message>
+    <message>
+        <source>Give a number from zero</source>
+        <translation>Geben Sie eine Zahl ab null an</translation>
+    </message>
+    <message>
+        <source>Give a number from %1 to %2</source>
+        <translation>Geben Sie eine Zahl von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>Give a length from zero, in metres</source>
+        <translation>Geben Sie eine Länge ab null an, in Metern</translation>
+    </message>
+    <message>
+        <source>Give a share above 0, at most 1</source>
+        <translation>Geben Sie einen Anteil über 0 und höchstens 1 an</translation>
+    </message>
+    <message>
+        <source>Give a share from 0 to 1</source>
+        <translation>Geben Sie einen Anteil von 0 bis 1 an</translation>
+    </message>
+    <message>
+        <source>Give a share up to that of `fresh`</source>
+        <translation>Geben Sie einen Anteil bis zu dem von „fresh“ an</translation>
+    </message>
+    <message>
+        <source>Give an odd number from 5</source>
+        <translation>Geben Sie eine ungerade Zahl ab 5 an</translation>
+    </message>
+    <message>
+        <source>Give less than lies between two checks</source>
+        <translation>Geben Sie weniger an, als zwischen zwei Prüfungen liegt</translation>
+    </message>
+    <message>
+        <source>Give more than one</source>
+        <translation>Geben Sie mehr als eins an</translation>
+    </message>
+    <message>
+        <source>Give the margin at least</source>
+        <translation>Geben Sie mindestens den Abstand (margin) an</translation>
+    </message>
+    <message>
+        <source>Give %1 or more</source>
+        <translation>Geben Sie %1 oder mehr an</translation>
+    </message>
+    <message>
+        <source>Give the server&apos;s port, as 18944</source>
+        <translation>Geben Sie den Port des Servers an, etwa 18944</translation>
+    </message>
+    <message>
+        <source>Give up to 100</source>
+        <translation>Geben Sie bis zu 100 an</translation>
+    </message>
+    <message>
+        <source>Give up to 60 seconds</source>
+        <translation>Geben Sie bis zu 60 Sekunden an</translation>
+    </message>
+    <message>
+        <source>Give up to a second</source>
+        <translation>Geben Sie bis zu einer Sekunde an</translation>
+    </message>
+    <message>
+        <source>Give up to a second; 0 is half a frame</source>
+        <translation>Geben Sie bis zu einer Sekunde an; 0 ist die Hälfte eines Bildes</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

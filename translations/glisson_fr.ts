@@ -4107,6 +4107,1582 @@
         <source>names what is no lesion</source>
         <translation>nomme ce qui n&apos;est pas une lésion</translation>
     </message>
+    <message>
+        <source>is not an object</source>
+        <translation>n’est pas un objet</translation>
+    </message>
+    <message>
+        <source>is not a list</source>
+        <translation>n’est pas une liste</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>is not of the right kind</source>
+        <translation>n’est pas du bon genre</translation>
+    </message>
+    <message>
+        <source>is unknown</source>
+        <translation>est inconnu</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is unknown</source>
+        <translation>est « %1 », qui est inconnu</translation>
+    </message>
+    <message>
+        <source>is none that is known</source>
+        <translation>n’est pas connu</translation>
+    </message>
+    <message>
+        <source>is not that of an atlas</source>
+        <translation>n’est pas celui d’un atlas</translation>
+    </message>
+    <message>
+        <source>holds something else than texts</source>
+        <translation>contient autre chose que des textes</translation>
+    </message>
+    <message>
+        <source>holds something else than numbers</source>
+        <translation>contient autre chose que des nombres</translation>
+    </message>
+    <message>
+        <source>holds something else than numbers above 0</source>
+        <translation>contient autre chose que des nombres supérieurs à 0</translation>
+    </message>
+    <message>
+        <source>needs %1 rows</source>
+        <translation>demande %1 lignes</translation>
+    </message>
+    <message>
+        <source>needs %1 numbers a row</source>
+        <translation>demande %1 nombres par ligne</translation>
+    </message>
+    <message>
+        <source>needs six numbers a point</source>
+        <translation>demande six nombres par point</translation>
+    </message>
+    <message>
+        <source>needs one entry a member, three at least</source>
+        <translation>demande une entrée par membre, trois au moins</translation>
+    </message>
+    <message>
+        <source>is below 1</source>
+        <translation>est inférieur à 1</translation>
+    </message>
+    <message>
+        <source>are none</source>
+        <translation>n’en sont pas</translation>
+    </message>
+    <message>
+        <source>are not as many as covariances and sources</source>
+        <translation>ne sont pas aussi nombreux que les covariances et les sources</translation>
+    </message>
+    <message>
+        <source>are not as many as the structure has</source>
+        <translation>ne sont pas aussi nombreux que ceux de la structure</translation>
+    </message>
+    <message>
+        <source>holds a matrix that is no covariance</source>
+        <translation>contient une matrice qui n’est pas une covariance</translation>
+    </message>
+    <message>
+        <source>name a structure twice</source>
+        <translation>nomment deux fois une structure</translation>
+    </message>
+    <message>
+        <source>entry %1 holds something that is not a number</source>
+        <translation>l’entrée %1 contient autre chose qu’un nombre</translation>
+    </message>
+    <message>
+        <source>entry %1 is not a triple</source>
+        <translation>l’entrée %1 n’a pas trois nombres</translation>
+    </message>
+    <message>
+        <source>entry %1 is nowhere near a patient</source>
+        <translation>l’entrée %1 est loin de tout patient</translation>
+    </message>
+    <message>
+        <source>has an entry that is not of six numbers</source>
+        <translation>a une entrée qui n’a pas six nombres</translation>
+    </message>
+    <message>
+        <source>has an entry that is not a number</source>
+        <translation>a une entrée qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>holds %1 cells, not %2 x %3</source>
+        <translation>contient %1 cellules, et non %2 x %3</translation>
+    </message>
+    <message>
+        <source>is of %1 points, whole.ply holds %2</source>
+        <translation>porte sur %1 points, whole.ply en contient %2</translation>
+    </message>
+    <message>
+        <source>is %1, that of the case&apos;s pictures %2</source>
+        <translation>est %1, celle des images du cas %2</translation>
+    </message>
+    <message>
+        <source>says that they are of the case&apos;s pictures, there are none</source>
+        <translation>dit qu’ils viennent des images du cas, mais il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>is not a key of a load file</source>
+        <translation>n’est pas une clé d’un fichier de charges</translation>
+    </message>
+    <message>
+        <source>is not three numbers</source>
+        <translation>n’est pas trois nombres</translation>
+    </message>
+    <message>
+        <source>is not three finite numbers</source>
+        <translation>n’est pas trois nombres finis</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>est nul</translation>
+    </message>
+    <message>
+        <source>is %1 Pa</source>
+        <translation>vaut %1 Pa</translation>
+    </message>
+    <message>
+        <source>holds %1, which is no index</source>
+        <translation>contient %1, qui n’est pas un indice</translation>
+    </message>
+    <message>
+        <source>holds no load</source>
+        <translation>ne contient aucune charge</translation>
+    </message>
+    <message>
+        <source>has no place</source>
+        <translation>n’a pas de lieu</translation>
+    </message>
+    <message>
+        <source>has several places</source>
+        <translation>a plusieurs lieux</translation>
+    </message>
+    <message>
+        <source>lies above high_mm</source>
+        <translation>est au-dessus de high_mm</translation>
+    </message>
+    <message>
+        <source>names no ball, box or direction</source>
+        <translation>ne nomme ni boule, ni boîte, ni direction</translation>
+    </message>
+    <message>
+        <source>names no nodes</source>
+        <translation>ne nomme aucun nœud</translation>
+    </message>
+    <message>
+        <source>stands beside a region</source>
+        <translation>figure à côté d’une région</translation>
+    </message>
+    <message>
+        <source>stands beside from or to</source>
+        <translation>figure à côté de from ou de to</translation>
+    </message>
+    <message>
+        <source>stands beside structure</source>
+        <translation>figure à côté de structure</translation>
+    </message>
+    <message>
+        <source>SCALARS have no LOOKUP_TABLE</source>
+        <translation>SCALARS n’a pas de LOOKUP_TABLE</translation>
+    </message>
+    <message>
+        <source>SCALARS have no number of components</source>
+        <translation>SCALARS n’a pas de nombre de composantes</translation>
+    </message>
+    <message>
+        <source>an array stands before POINT_DATA and CELL_DATA</source>
+        <translation>un tableau précède POINT_DATA et CELL_DATA</translation>
+    </message>
+    <message>
+        <source>announces %1 cells and holds %2</source>
+        <translation>annonce %1 cellules et en contient %2</translation>
+    </message>
+    <message>
+        <source>announces %1 items, more than the file holds</source>
+        <translation>annonce %1 éléments, plus que le fichier n’en contient</translation>
+    </message>
+    <message>
+        <source>announces more cells than the mesh of an organ needs</source>
+        <translation>annonce plus de cellules que n’en demande le maillage d’un organe</translation>
+    </message>
+    <message>
+        <source>announces more numbers than a mesh needs</source>
+        <translation>annonce plus de nombres que n’en demande un maillage</translation>
+    </message>
+    <message>
+        <source>announces more numbers than the file holds</source>
+        <translation>annonce plus de nombres que le fichier n’en contient</translation>
+    </message>
+    <message>
+        <source>announces more blocks than the file holds</source>
+        <translation>annonce plus de blocs que le fichier n’en contient</translation>
+    </message>
+    <message>
+        <source>announces a block larger than it can be</source>
+        <translation>annonce un bloc plus grand que possible</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>n’a pas de points</translation>
+    </message>
+    <message>
+        <source>cell %1 has no points</source>
+        <translation>la cellule %1 n’a pas de points</translation>
+    </message>
+    <message>
+        <source>cell %1 has a list longer than the section</source>
+        <translation>la cellule %1 a une liste plus longue que la section</translation>
+    </message>
+    <message>
+        <source>cell %1 has offsets out of range</source>
+        <translation>la cellule %1 a des décalages hors limites</translation>
+    </message>
+    <message>
+        <source>cells have no CONNECTIVITY</source>
+        <translation>les cellules n’ont pas de CONNECTIVITY</translation>
+    </message>
+    <message>
+        <source>cells have no OFFSETS</source>
+        <translation>les cellules n’ont pas de OFFSETS</translation>
+    </message>
+    <message>
+        <source>has %1 cells and %2 cell types</source>
+        <translation>a %1 cellules et %2 types de cellules</translation>
+    </message>
+    <message>
+        <source>has cells without CELL_TYPES</source>
+        <translation>a des cellules sans CELL_TYPES</translation>
+    </message>
+    <message>
+        <source>holds a %1, neither POLYDATA nor UNSTRUCTURED_GRID</source>
+        <translation>contient %1, ni POLYDATA ni UNSTRUCTURED_GRID</translation>
+    </message>
+    <message>
+        <source>holds an array of strings; remove it (&quot;%1&quot;)</source>
+        <translation>contient un tableau de textes (« %1 ») ; retirez-le</translation>
+    </message>
+    <message>
+        <source>is neither ASCII nor BINARY</source>
+        <translation>n’est ni ASCII ni BINARY</translation>
+    </message>
+    <message>
+        <source>the cells hold a number that is not whole or far too large</source>
+        <translation>les cellules contiennent un nombre qui n’est pas entier ou est bien trop grand</translation>
+    </message>
+    <message>
+        <source>unknown number type &quot;%1&quot;</source>
+        <translation>type de nombre inconnu « %1 »</translation>
+    </message>
+    <message>
+        <source>unknown section &quot;%1&quot;</source>
+        <translation>section inconnue « %1 »</translation>
+    </message>
+    <message>
+        <source>a tetrahedron names a node that is not there</source>
+        <translation>un tétraèdre nomme un nœud qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>holds volume elements of gmsh type %1; save linear tetrahedra only</source>
+        <translation>contient des éléments de volume de type gmsh %1 ; n’enregistrez que des tétraèdres linéaires</translation>
+    </message>
+    <message>
+        <source>is a binary gmsh file; save it as ascii</source>
+        <translation>est un fichier gmsh binaire ; enregistrez-le en texte (ascii)</translation>
+    </message>
+    <message>
+        <source>is of gmsh format %1; save it in version 2 or 4</source>
+        <translation>est au format gmsh %1 ; enregistrez-le en version 2 ou 4</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three vertices</source>
+        <translation>une face a moins de trois sommets</translation>
+    </message>
+    <message>
+        <source>a face names a vertex that is not there</source>
+        <translation>une face nomme un sommet qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a face names no vertex number</source>
+        <translation>une face ne nomme pas de numéro de sommet</translation>
+    </message>
+    <message>
+        <source>a vertex needs three numbers</source>
+        <translation>un sommet demande trois nombres</translation>
+    </message>
+    <message>
+        <source>the file ends inside a facet</source>
+        <translation>le fichier finit dans une facette</translation>
+    </message>
+    <message>
+        <source>the file ends inside binary data</source>
+        <translation>le fichier finit dans des données binaires</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no entry of a PLY header</source>
+        <translation>« %1 » n’est pas une entrée d’un en-tête PLY</translation>
+    </message>
+    <message>
+        <source>a list&apos;s count has no integer type</source>
+        <translation>le nombre d’une liste n’a pas de type entier</translation>
+    </message>
+    <message>
+        <source>a property has no name</source>
+        <translation>une propriété n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>a property stands before any element</source>
+        <translation>une propriété précède tout élément</translation>
+    </message>
+    <message>
+        <source>an element has no valid count</source>
+        <translation>un élément n’a pas de nombre valable</translation>
+    </message>
+    <message>
+        <source>element %1 comes a second time</source>
+        <translation>l’élément %1 vient une deuxième fois</translation>
+    </message>
+    <message>
+        <source>property %1 comes a second time</source>
+        <translation>la propriété %1 vient une deuxième fois</translation>
+    </message>
+    <message>
+        <source>no format was named</source>
+        <translation>aucun format n’est nommé</translation>
+    </message>
+    <message>
+        <source>the file ends before end_header</source>
+        <translation>le fichier finit avant end_header</translation>
+    </message>
+    <message>
+        <source>unknown format &quot;%1&quot;</source>
+        <translation>format inconnu « %1 »</translation>
+    </message>
+    <message>
+        <source>unknown property type &quot;%1&quot;</source>
+        <translation>type de propriété inconnu « %1 »</translation>
+    </message>
+    <message>
+        <source>expected a number, found %1</source>
+        <translation>un nombre est attendu, trouvé : %1</translation>
+    </message>
+    <message>
+        <source>expected a whole number, found %1</source>
+        <translation>un nombre entier est attendu, trouvé : %1</translation>
+    </message>
+    <message>
+        <source>an array is closed by another element</source>
+        <translation>un tableau est fermé par un autre élément</translation>
+    </message>
+    <message>
+        <source>closes %1, which is not open</source>
+        <translation>ferme %1, qui n’est pas ouvert</translation>
+    </message>
+    <message>
+        <source>elements lie in elements too deeply</source>
+        <translation>des éléments sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>ends early, or is no base64</source>
+        <translation>finit trop tôt, ou n’est pas du base64</translation>
+    </message>
+    <message>
+        <source>ends inside a number</source>
+        <translation>finit dans un nombre</translation>
+    </message>
+    <message>
+        <source>ends inside an array</source>
+        <translation>finit dans un tableau</translation>
+    </message>
+    <message>
+        <source>ends inside %1</source>
+        <translation>finit dans %1</translation>
+    </message>
+    <message>
+        <source>has a type that is none</source>
+        <translation>a un type qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>has an encoding that is none</source>
+        <translation>a un codage qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>has no beginning or no end</source>
+        <translation>n’a pas de début ou pas de fin</translation>
+    </message>
+    <message>
+        <source>has no offset</source>
+        <translation>n’a pas de décalage (offset)</translation>
+    </message>
+    <message>
+        <source>has offsets out of range</source>
+        <translation>a des décalages (offsets) hors limites</translation>
+    </message>
+    <message>
+        <source>has the format &quot;%1&quot;, which is none</source>
+        <translation>a le format « %1 », qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>has the type &quot;%1&quot;, which is no number&apos;s</source>
+        <translation>a le type « %1 », qui n’est celui d’aucun nombre</translation>
+    </message>
+    <message>
+        <source>have no connectivity, offsets or types</source>
+        <translation>n’ont pas de connectivity, d’offsets ou de types</translation>
+    </message>
+    <message>
+        <source>have not three coordinates each</source>
+        <translation>n’ont pas trois coordonnées chacun</translation>
+    </message>
+    <message>
+        <source>hold %1 offsets where %2 cells are announced</source>
+        <translation>contiennent %1 décalages (offsets) alors que %2 cellules sont annoncées</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers or more where %2 are announced</source>
+        <translation>contient %1 nombres ou plus alors que %2 sont annoncés</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers where %2 times %3 are announced</source>
+        <translation>contient %1 nombres alors que %2 fois %3 sont annoncés</translation>
+    </message>
+    <message>
+        <source>holds a number that is not whole, negative or far too large</source>
+        <translation>contient un nombre qui n’est pas entier, est négatif ou bien trop grand</translation>
+    </message>
+    <message>
+        <source>holds a packed block that is damaged</source>
+        <translation>contient un bloc comprimé endommagé</translation>
+    </message>
+    <message>
+        <source>holds more than a mesh does, with the arrays before it</source>
+        <translation>contient, avec les tableaux précédents, plus qu’un maillage</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, neither UnstructuredGrid nor PolyData</source>
+        <translation>est « %1 », ni UnstructuredGrid ni PolyData</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no count</source>
+        <translation>est « %1 », qui n’est pas un nombre d’éléments</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is not read</source>
+        <translation>est « %1 », qui n’est pas lu</translation>
+    </message>
+    <message>
+        <source>is missing: this is no VTK file</source>
+        <translation>manque : ce n’est pas un fichier VTK</translation>
+    </message>
+    <message>
+        <source>lies beyond the file&apos;s end</source>
+        <translation>est au-delà de la fin du fichier</translation>
+    </message>
+    <message>
+        <source>an instruction does not end</source>
+        <translation>une instruction ne finit pas</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>un commentaire ne finit pas</translation>
+    </message>
+    <message>
+        <source>a tag does not end</source>
+        <translation>une balise ne finit pas</translation>
+    </message>
+    <message>
+        <source>a tag or an attribute has no name</source>
+        <translation>une balise ou un attribut n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>an attribute has no value in quotation marks</source>
+        <translation>un attribut n’a pas de valeur entre guillemets</translation>
+    </message>
+    <message>
+        <source>an attribute holds an entity that is not known</source>
+        <translation>un attribut contient une entité inconnue (&amp;...;)</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s value does not end</source>
+        <translation>la valeur d’un attribut ne finit pas</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s value holds a tag</source>
+        <translation>la valeur d’un attribut contient une balise</translation>
+    </message>
+    <message>
+        <source>holds a document type or a section that is not read</source>
+        <translation>contient un type de document ou une section qui n’est pas lue</translation>
+    </message>
+    <message>
+        <source>the attribute %1 has no value</source>
+        <translation>l’attribut %1 n’a pas de valeur</translation>
+    </message>
+    <message>
+        <source>the attribute %1 stands twice</source>
+        <translation>l’attribut %1 figure deux fois</translation>
+    </message>
+    <message>
+        <source>holds more volume (%1 ml) than the liver in %2 (%3 ml)</source>
+        <translation>a plus de volume (%1 ml) que le foie dans %2 (%3 ml)</translation>
+    </message>
+    <message>
+        <source>holds no closed surface of 15 mm3 or more</source>
+        <translation>ne contient aucune surface fermée de 15 mm3 ou plus</translation>
+    </message>
+    <message>
+        <source>is %1 mm large, the liver %2 mm</source>
+        <translation>mesure %1 mm, le foie %2 mm</translation>
+    </message>
+    <message>
+        <source>is named twice</source>
+        <translation>est nommé deux fois</translation>
+    </message>
+    <message>
+        <source>is named twice: %1 and %2</source>
+        <translation>est nommé deux fois : %1 et %2</translation>
+    </message>
+    <message>
+        <source>is no structure that is known</source>
+        <translation>n’est pas une structure connue</translation>
+    </message>
+    <message>
+        <source>is none of mm, cm, m</source>
+        <translation>n’est ni mm, ni cm, ni m</translation>
+    </message>
+    <message>
+        <source>lies elsewhere than the liver in %1</source>
+        <translation>est ailleurs que le foie dans %1</translation>
+    </message>
+    <message>
+        <source>names no file</source>
+        <translation>ne nomme aucun fichier</translation>
+    </message>
+    <message>
+        <source>the surface is open: it has holes, or edges with more than two triangles</source>
+        <translation>la surface est ouverte : elle a des trous, ou des arêtes de plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>there is no surface of that name</source>
+        <translation>il n’y a pas de surface de ce nom</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not three numbers</source>
+        <translation>« %1 » n’est pas trois nombres</translation>
+    </message>
+    <message>
+        <source>&quot;edit&quot; is none of set_root, prune, join</source>
+        <translation>« edit » n’est ni set_root, ni prune, ni join</translation>
+    </message>
+    <message>
+        <source>has no &quot;%1&quot;</source>
+        <translation>n’a pas de « %1 »</translation>
+    </message>
+    <message>
+        <source>is more than %1 million voxels and channels</source>
+        <translation>fait plus de %1 millions de voxels et de canaux</translation>
+    </message>
+    <message>
+        <source>is not two or three numbers</source>
+        <translation>n’est pas deux ou trois nombres</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is no label</source>
+        <translation>nomme « %1 », qui n’est pas une étiquette</translation>
+    </message>
+    <message>
+        <source>holds what is no number from %1</source>
+        <translation>contient ce qui n’est pas un nombre de %1</translation>
+    </message>
+    <message>
+        <source>holds what is no text</source>
+        <translation>contient ce qui n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>is no number from %1</source>
+        <translation>n’est pas un nombre de %1</translation>
+    </message>
+    <message>
+        <source>has not as many numbers as it has rows and columns</source>
+        <translation>n’a pas autant de nombres que ses lignes et colonnes</translation>
+    </message>
+    <message>
+        <source>is not a matrix of a calibration&apos;s size</source>
+        <translation>n’est pas une matrice de la taille d’un calibrage</translation>
+    </message>
+    <message>
+        <source>is not a matrix of numbers</source>
+        <translation>n’est pas une matrice de nombres</translation>
+    </message>
+    <message>
+        <source>has %1 vertices, which are no line</source>
+        <translation>a %1 sommets, ce qui n’est pas une ligne</translation>
+    </message>
+    <message>
+        <source>has %1 vertices, which enclose nothing</source>
+        <translation>a %1 sommets, qui n’entourent rien</translation>
+    </message>
+    <message>
+        <source>has a vertex that is not [x, y]</source>
+        <translation>a un sommet qui n’est pas [x, y]</translation>
+    </message>
+    <message>
+        <source>has a vertex that is not finite</source>
+        <translation>a un sommet qui n’est pas fini</translation>
+    </message>
+    <message>
+        <source>has a vertex that lies far outside any picture</source>
+        <translation>a un sommet bien au-delà de toute image</translation>
+    </message>
+    <message>
+        <source>has a width that is not a positive number of pixels</source>
+        <translation>a une largeur qui n’est pas un nombre positif de pixels</translation>
+    </message>
+    <message>
+        <source>has no label</source>
+        <translation>n’a pas d’étiquette</translation>
+    </message>
+    <message>
+        <source>has no polygon, and no curve that is a list</source>
+        <translation>n’a ni polygone, ni courbe qui soit une liste</translation>
+    </message>
+    <message>
+        <source>is not one that a frame has (16 hexadecimal digits)</source>
+        <translation>n’est pas celle d’une image (16 chiffres hexadécimaux)</translation>
+    </message>
+    <message>
+        <source>is on no picture of a stereo laparoscope</source>
+        <translation>n’est sur aucune image d’un laparoscope stéréo</translation>
+    </message>
+    <message>
+        <source>has a negative number</source>
+        <translation>a un nombre négatif</translation>
+    </message>
+    <message>
+        <source>holds what is no number of pixels</source>
+        <translation>contient ce qui n’est pas un nombre de pixels</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>n’est ni true ni false</translation>
+    </message>
+    <message>
+        <source>is neither True nor False</source>
+        <translation>n’est ni True ni False</translation>
+    </message>
+    <message>
+        <source>is no description of a source</source>
+        <translation>n’est pas la description d’une source</translation>
+    </message>
+    <message>
+        <source>is not [x, y, width, height]</source>
+        <translation>n’est pas [x, y, largeur, hauteur]</translation>
+    </message>
+    <message>
+        <source>is not that of a server, which sends both views</source>
+        <translation>n’est pas celle d’un serveur, qui envoie les deux vues</translation>
+    </message>
+    <message>
+        <source>is one file too many for this layout</source>
+        <translation>est un fichier de trop pour cette disposition</translation>
+    </message>
+    <message>
+        <source>Add it</source>
+        <translation>Ajoutez-le</translation>
+    </message>
+    <message>
+        <source>Write a number</source>
+        <translation>Écrivez un nombre</translation>
+    </message>
+    <message>
+        <source>Write a finite number</source>
+        <translation>Écrivez un nombre fini</translation>
+    </message>
+    <message>
+        <source>Write a list of numbers</source>
+        <translation>Écrivez une liste de nombres</translation>
+    </message>
+    <message>
+        <source>Write a list of texts in quotes</source>
+        <translation>Écrivez une liste de textes entre guillemets</translation>
+    </message>
+    <message>
+        <source>Write a text in quotes</source>
+        <translation>Écrivez un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>Write {&quot;channels&quot;: [...], ...}</source>
+        <translation>Écrivez {&quot;channels&quot;: [...], ...}</translation>
+    </message>
+    <message>
+        <source>Write [0, 1, ...]</source>
+        <translation>Écrivez [0, 1, ...]</translation>
+    </message>
+    <message>
+        <source>Write [x, y, z]</source>
+        <translation>Écrivez [x, y, z]</translation>
+    </message>
+    <message>
+        <source>Write [{...}, ...]</source>
+        <translation>Écrivez [{...}, ...]</translation>
+    </message>
+    <message>
+        <source>Write {...} there</source>
+        <translation>Écrivez-y {...}</translation>
+    </message>
+    <message>
+        <source>Give 0-based indices</source>
+        <translation>Donnez des indices à partir de 0</translation>
+    </message>
+    <message>
+        <source>Give a 0-based index</source>
+        <translation>Donnez un indice à partir de 0</translation>
+    </message>
+    <message>
+        <source>Give 0-based node numbers</source>
+        <translation>Donnez des numéros de nœuds à partir de 0</translation>
+    </message>
+    <message>
+        <source>Give a direction</source>
+        <translation>Donnez une direction</translation>
+    </message>
+    <message>
+        <source>Give a node or a point, or leave the target out</source>
+        <translation>Donnez un nœud ou un point, ou omettez la cible</translation>
+    </message>
+    <message>
+        <source>Give a number above 0</source>
+        <translation>Donnez un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>Give at most 1e5 Pa (12 mmHg are 1600 Pa)</source>
+        <translation>Donnez au plus 1e5 Pa (12 mmHg font 1600 Pa)</translation>
+    </message>
+    <message>
+        <source>Give centre_mm and radius_mm, or low_mm and high_mm</source>
+        <translation>Donnez centre_mm et radius_mm, ou low_mm et high_mm</translation>
+    </message>
+    <message>
+        <source>Give change, or to (and from)</source>
+        <translation>Donnez change, ou to (et from)</translation>
+    </message>
+    <message>
+        <source>Give gravity, pressure, forces, springs or moved</source>
+        <translation>Donnez gravity, pressure, forces, springs ou moved</translation>
+    </message>
+    <message>
+        <source>Give newton_per_metre or structure</source>
+        <translation>Donnez newton_per_metre ou structure</translation>
+    </message>
+    <message>
+        <source>Give nodes or a region</source>
+        <translation>Donnez des nœuds ou une région</translation>
+    </message>
+    <message>
+        <source>Give one of node, point_mm, region</source>
+        <translation>Donnez l’un de node, point_mm, region</translation>
+    </message>
+    <message>
+        <source>Give one or the other</source>
+        <translation>Donnez l’un ou l’autre</translation>
+    </message>
+    <message>
+        <source>Give seconds, 0 or more</source>
+        <translation>Donnez des secondes, 0 ou plus</translation>
+    </message>
+    <message>
+        <source>Leave it out to press everywhere</source>
+        <translation>Omettez-le pour appuyer partout</translation>
+    </message>
+    <message>
+        <source>Swap the coordinates</source>
+        <translation>Échangez les coordonnées</translation>
+    </message>
+    <message>
+        <source>Save it packed by ZLib, or plain</source>
+        <translation>Enregistrez-le comprimé par ZLib, ou non comprimé</translation>
+    </message>
+    <message>
+        <source>Close it (fill its holes) in the program that made it</source>
+        <translation>Fermez-la (bouchez ses trous) dans le programme qui l’a faite</translation>
+    </message>
+    <message>
+        <source>Close the surfaces (fill their holes) in the program that made them</source>
+        <translation>Fermez les surfaces (bouchez leurs trous) dans le programme qui les a faites</translation>
+    </message>
+    <message>
+        <source>Export all surfaces of one patient in one frame (LPS)</source>
+        <translation>Exportez toutes les surfaces d’un patient dans un même repère (LPS)</translation>
+    </message>
+    <message>
+        <source>Give this file&apos;s own unit in the list of surfaces, or export it in the liver&apos;s</source>
+        <translation>Donnez l’unité de ce fichier dans la liste des surfaces, ou exportez-le dans celle du foie</translation>
+    </message>
+    <message>
+        <source>Keep one of them</source>
+        <translation>Gardez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>Name the liver&apos;s surface liver.vtk, .vtp, .stl, .obj or .ply</source>
+        <translation>Nommez la surface du foie liver.vtk, .vtp, .stl, .obj ou .ply</translation>
+    </message>
+    <message>
+        <source>The two are probably swapped: name each file by what it shows</source>
+        <translation>Les deux sont sans doute échangés : nommez chaque fichier d’après ce qu’il montre</translation>
+    </message>
+    <message>
+        <source>Write [rows, columns] or [slices, rows, columns]</source>
+        <translation>Écrivez [lignes, colonnes] ou [coupes, lignes, colonnes]</translation>
+    </message>
+    <message>
+        <source>Write [rows, columns] or [slices, rows, columns], in millimetres</source>
+        <translation>Écrivez [lignes, colonnes] ou [coupes, lignes, colonnes], en millimètres</translation>
+    </message>
+    <message>
+        <source>Use smaller tiles</source>
+        <translation>Prenez des tuiles plus petites</translation>
+    </message>
+    <message>
+        <source>Give mean_hu and sd_hu, or neither</source>
+        <translation>Donnez mean_hu et sd_hu, ou aucun des deux</translation>
+    </message>
+    <message>
+        <source>Say where slices, rows and columns run to, one each of R or L, A or P, I or S, as &quot;SPL&quot;</source>
+        <translation>Dites vers où vont les coupes, les lignes et les colonnes, chacune R ou L, A ou P, I ou S, comme &quot;SPL&quot;</translation>
+    </message>
+    <message>
+        <source>Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or lesions</source>
+        <translation>Utilisez background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder ou lesions</translation>
+    </message>
+    <message>
+        <source>Write one name for each output channel, as [&quot;background&quot;, &quot;parenchyma&quot;]</source>
+        <translation>Écrivez un nom par canal de sortie, comme [&quot;background&quot;, &quot;parenchyma&quot;]</translation>
+    </message>
+    <message>
+        <source>Write the Hounsfield units that the network was trained on, as [-160, 240]</source>
+        <translation>Écrivez les unités Hounsfield avec lesquelles le réseau a été entraîné, comme [-160, 240]</translation>
+    </message>
+    <message>
+        <source>Click three or more</source>
+        <translation>Cliquez-en trois ou plus</translation>
+    </message>
+    <message>
+        <source>Click two or more</source>
+        <translation>Cliquez-en deux ou plus</translation>
+    </message>
+    <message>
+        <source>Expected {&quot;image&quot;: &quot;left&quot;, &quot;frame&quot;: 0, &quot;regions&quot;: [{&quot;label&quot;: &quot;surface&quot;, &quot;polygon&quot;: [[x, y], ...]}]}</source>
+        <translation>Attendu : {&quot;image&quot;: &quot;left&quot;, &quot;frame&quot;: 0, &quot;regions&quot;: [{&quot;label&quot;: &quot;surface&quot;, &quot;polygon&quot;: [[x, y], ...]}]}</translation>
+    </message>
+    <message>
+        <source>Labels are surface, anterior_margin and umbilical_notch</source>
+        <translation>Les étiquettes sont surface, anterior_margin et umbilical_notch</translation>
+    </message>
+    <message>
+        <source>Take it out, or click the regions again</source>
+        <translation>Retirez-le, ou cliquez de nouveau les régions</translation>
+    </message>
+    <message>
+        <source>Write &quot;left&quot; or &quot;right&quot; as its image</source>
+        <translation>Écrivez &quot;left&quot; ou &quot;right&quot; comme son image</translation>
+    </message>
+    <message>
+        <source>Expected {&quot;left&quot;: &quot;scope.mkv&quot;, &quot;layout&quot;: &quot;side_by_side&quot; or &quot;top_bottom&quot; or &quot;row_interleaved&quot; or &quot;separate&quot;, ...}</source>
+        <translation>Attendu : {&quot;left&quot;: &quot;scope.mkv&quot;, &quot;layout&quot;: &quot;side_by_side&quot; ou &quot;top_bottom&quot; ou &quot;row_interleaved&quot; ou &quot;separate&quot;, ...}</translation>
+    </message>
+    <message>
+        <source>Name a video, a folder of pictures or a device</source>
+        <translation>Nommez une vidéo, un dossier d’images ou un appareil</translation>
+    </message>
+    <message>
+        <source>Name both devices in one source, as igtl:127.0.0.1:18944/LEFT,RIGHT, without a layout</source>
+        <translation>Nommez les deux appareils dans une source, comme igtl:127.0.0.1:18944/LEFT,RIGHT, sans disposition</translation>
+    </message>
+    <message>
+        <source>Separate views have a left and a right source, others one</source>
+        <translation>Des vues séparées ont une source gauche et une droite, les autres une seule</translation>
+    </message>
+    <message>
+        <source>holds no slice</source>
+        <translation>ne contient aucune coupe</translation>
+    </message>
+    <message>
+        <source>are shifted against each other across their normal</source>
+        <translation>sont décalées l’une par rapport à l’autre en travers de leur normale</translation>
+    </message>
+    <message>
+        <source>claims more pixels than a segmentation can mean</source>
+        <translation>annonce plus de pixels que n’en peut avoir une segmentation</translation>
+    </message>
+    <message>
+        <source>differ in orientation or pixel spacing</source>
+        <translation>diffèrent par l’orientation ou la taille de pixel</translation>
+    </message>
+    <message>
+        <source>do not lie at equal steps along their normal</source>
+        <translation>ne sont pas à pas égal le long de leur normale</translation>
+    </message>
+    <message>
+        <source>does not hold one item a frame</source>
+        <translation>ne contient pas un élément par image</translation>
+    </message>
+    <message>
+        <source>ends early: the file was cut</source>
+        <translation>finit trop tôt : le fichier a été tronqué</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes where %2 are expected: the file is damaged</source>
+        <translation>contient %1 octets au lieu de %2 : le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>holds more segments than it can</source>
+        <translation>contient plus de segments que possible</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, of which the border is not known</source>
+        <translation>est « %1 », dont le bord n’est pas connu</translation>
+    </message>
+    <message>
+        <source>is %1 twice</source>
+        <translation>vaut deux fois %1</translation>
+    </message>
+    <message>
+        <source>is %1, which is no segment of the file</source>
+        <translation>est %1, qui n’est pas un segment du fichier</translation>
+    </message>
+    <message>
+        <source>is %1, which no segmentation of bits has</source>
+        <translation>est %1, ce qu’aucune segmentation en bits n’a</translation>
+    </message>
+    <message>
+        <source>is missing in a file of one slice</source>
+        <translation>manque dans un fichier d’une seule coupe</translation>
+    </message>
+    <message>
+        <source>is missing in a frame</source>
+        <translation>manque dans une image</translation>
+    </message>
+    <message>
+        <source>is missing in a frame, so that its place in the patient is unknown</source>
+        <translation>manque dans une image : sa place dans le patient est inconnue</translation>
+    </message>
+    <message>
+        <source>is missing or no number</source>
+        <translation>manque ou n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>says that it is a label map segmentation, which is not read</source>
+        <translation>dit que c’est une segmentation en carte d’étiquettes, qui n’est pas lue</translation>
+    </message>
+    <message>
+        <source>says that it is no segmentation but another DICOM object</source>
+        <translation>dit que ce n’est pas une segmentation mais un autre objet DICOM</translation>
+    </message>
+    <message>
+        <source>says that the bits are compressed or swapped</source>
+        <translation>dit que les bits sont comprimés ou inversés</translation>
+    </message>
+    <message>
+        <source>claims more than 8192 pixels a side, which no scanner&apos;s slices have</source>
+        <translation>annonce plus de 8192 pixels par côté, ce qu’aucune coupe de scanner n’a</translation>
+    </message>
+    <message>
+        <source>holds no series %1, but %2</source>
+        <translation>ne contient pas de série %1, mais %2</translation>
+    </message>
+    <message>
+        <source>holds several series %1, but %2</source>
+        <translation>contient plusieurs séries %1, à savoir %2</translation>
+    </message>
+    <message>
+        <source>names another patient (0010|0010, 0010|0020, 0010|0030) than %1</source>
+        <translation>nomme un autre patient (0010|0010, 0010|0020, 0010|0030) que %1</translation>
+    </message>
+    <message>
+        <source>has rows that are not of length 1</source>
+        <translation>a des lignes dont la longueur n’est pas 1</translation>
+    </message>
+    <message>
+        <source>is %1, beyond what the file holds</source>
+        <translation>vaut %1, au-delà de ce que contient le fichier</translation>
+    </message>
+    <message>
+        <source>is False: voxels as text are not read</source>
+        <translation>vaut False : les voxels en texte ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>is not 0</source>
+        <translation>n’est pas 0</translation>
+    </message>
+    <message>
+        <source>is not 1</source>
+        <translation>n’est pas 1</translation>
+    </message>
+    <message>
+        <source>names no single file of voxels</source>
+        <translation>ne nomme pas un seul fichier de voxels</translation>
+    </message>
+    <message>
+        <source>are no scale of intensities</source>
+        <translation>ne sont pas une échelle d’intensités</translation>
+    </message>
+    <message>
+        <source>has an origin that is not finite</source>
+        <translation>a une origine qui n’est pas finie</translation>
+    </message>
+    <message>
+        <source>is %1 where the datatype says %2</source>
+        <translation>est %1 alors que datatype dit %2</translation>
+    </message>
+    <message>
+        <source>is %1, which is no number of voxels</source>
+        <translation>est %1, qui n’est pas un nombre de voxels</translation>
+    </message>
+    <message>
+        <source>is neither 1 nor -1</source>
+        <translation>n’est ni 1 ni -1</translation>
+    </message>
+    <message>
+        <source>is no place in the file behind its header</source>
+        <translation>n’est pas une place du fichier après son en-tête</translation>
+    </message>
+    <message>
+        <source>is no rotation: b, c and d are longer than 1 together</source>
+        <translation>n’est pas une rotation : b, c et d font ensemble plus de 1</translation>
+    </message>
+    <message>
+        <source>is no unit of length</source>
+        <translation>n’est pas une unité de longueur</translation>
+    </message>
+    <message>
+        <source>says %1 mm from voxel to voxel, and the sform %2</source>
+        <translation>dit %1 mm d’un voxel à l’autre, et la sform %2</translation>
+    </message>
+    <message>
+        <source>says metres</source>
+        <translation>dit mètres</translation>
+    </message>
+    <message>
+        <source>says micrometres</source>
+        <translation>dit micromètres</translation>
+    </message>
+    <message>
+        <source>are &quot;%1&quot;</source>
+        <translation>sont « %1 »</translation>
+    </message>
+    <message>
+        <source>are fewer than there are axes</source>
+        <translation>sont moins nombreux que les axes</translation>
+    </message>
+    <message>
+        <source>are of fewer than three axes in space</source>
+        <translation>ont moins de trois axes dans l’espace</translation>
+    </message>
+    <message>
+        <source>are of more than three axes in space</source>
+        <translation>ont plus de trois axes dans l’espace</translation>
+    </message>
+    <message>
+        <source>hold a bracket that is not closed</source>
+        <translation>contiennent une parenthèse qui n’est pas fermée</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which is no vector</source>
+        <translation>contient « %1 », qui n’est pas un vecteur</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no patient&apos;s</source>
+        <translation>est « %1 », qui n’est d’aucun patient</translation>
+    </message>
+    <message>
+        <source>is missing: the file does not say which way the patient lies</source>
+        <translation>manque : le fichier ne dit pas dans quel sens est le patient</translation>
+    </message>
+    <message>
+        <source>is more than 16</source>
+        <translation>est supérieur à 16</translation>
+    </message>
+    <message>
+        <source>is not read here</source>
+        <translation>n’est pas lu ici</translation>
+    </message>
+    <message>
+        <source>are %1 mm apart between %2 and %3 and %4 mm elsewhere: a slice is missing or the spacing changes</source>
+        <translation>sont distantes de %1 mm entre %2 et %3, et de %4 mm ailleurs : une coupe manque ou le pas change</translation>
+    </message>
+    <message>
+        <source>are shifted against each other by %1 mm from the first to the last (gantry tilt of %2 degrees)</source>
+        <translation>sont décalées de %1 mm de la première à la dernière (inclinaison du statif : %2 degrés)</translation>
+    </message>
+    <message>
+        <source>Choose another series</source>
+        <translation>Choisissez une autre série</translation>
+    </message>
+    <message>
+        <source>Export it as a binary DICOM segmentation</source>
+        <translation>Exportez-le comme segmentation DICOM binaire</translation>
+    </message>
+    <message>
+        <source>Export it without compression (Explicit VR Little Endian)</source>
+        <translation>Exportez-le sans compression (Explicit VR Little Endian)</translation>
+    </message>
+    <message>
+        <source>Export the segmentation again</source>
+        <translation>Exportez la segmentation de nouveau</translation>
+    </message>
+    <message>
+        <source>Name a DICOM segmentation</source>
+        <translation>Nommez une segmentation DICOM</translation>
+    </message>
+    <message>
+        <source>Name a DICOM segmentation (modality SEG); of a CT open the folder of its slices</source>
+        <translation>Nommez une segmentation DICOM (modalité SEG) ; pour un scanner, ouvrez le dossier de ses coupes</translation>
+    </message>
+    <message>
+        <source>Resample the segmentation to the CT&apos;s grid</source>
+        <translation>Rééchantillonnez la segmentation sur la grille du scanner</translation>
+    </message>
+    <message>
+        <source>Export the series again, of one patient</source>
+        <translation>Exportez la série de nouveau, d’un seul patient</translation>
+    </message>
+    <message>
+        <source>Export the volume again, as one .mha file</source>
+        <translation>Exportez le volume de nouveau, en un seul fichier .mha</translation>
+    </message>
+    <message>
+        <source>Apply it to the voxels</source>
+        <translation>Appliquez-le aux voxels</translation>
+    </message>
+    <message>
+        <source>Correct it to 0</source>
+        <translation>Corrigez-le à 0</translation>
+    </message>
+    <message>
+        <source>Write it with BinaryData = True</source>
+        <translation>Écrivez-le avec BinaryData = True</translation>
+    </message>
+    <message>
+        <source>Set them to 1 and 0</source>
+        <translation>Mettez-les à 1 et 0</translation>
+    </message>
+    <message>
+        <source>Write it as left-posterior-superior with space directions in mm</source>
+        <translation>Écrivez-le en left-posterior-superior avec des space directions en mm</translation>
+    </message>
+    <message>
+        <source>Write it with the encoding gzip or raw</source>
+        <translation>Écrivez-le avec le codage gzip ou raw</translation>
+    </message>
+    <message>
+        <source>Write the data without bytes before them</source>
+        <translation>Écrivez les données sans octets avant elles</translation>
+    </message>
+    <message>
+        <source>Write the data without lines before them</source>
+        <translation>Écrivez les données sans lignes avant elles</translation>
+    </message>
+    <message>
+        <source>is not %1 x %2</source>
+        <translation>n’est pas %1 x %2</translation>
+    </message>
+    <message>
+        <source>is %1, which is no number</source>
+        <translation>est %1, qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>is %1, which is no small whole number</source>
+        <translation>est %1, qui n’est pas un petit nombre entier</translation>
+    </message>
+    <message>
+        <source>is %1, which is no structure</source>
+        <translation>est %1, qui n’est pas une structure</translation>
+    </message>
+    <message>
+        <source>is %1, which is no text</source>
+        <translation>est %1, qui n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>is no field that is known here</source>
+        <translation>n’est pas un champ connu ici</translation>
+    </message>
+    <message>
+        <source>is not made of %1 numbers each</source>
+        <translation>n’est pas fait de %1 nombres chacun</translation>
+    </message>
+    <message>
+        <source>has a point that is nowhere near a patient</source>
+        <translation>a un point loin de tout patient</translation>
+    </message>
+    <message>
+        <source>is %1, which is locked</source>
+        <translation>est %1, qui est verrouillé</translation>
+    </message>
+    <message>
+        <source>is the background</source>
+        <translation>est le fond</translation>
+    </message>
+    <message>
+        <source>runs from %1 to %2</source>
+        <translation>va de %1 à %2</translation>
+    </message>
+    <message>
+        <source>are fewer than two with the rivals</source>
+        <translation>sont moins de deux avec les rivaux</translation>
+    </message>
+    <message>
+        <source>are none that may keep what they win</source>
+        <translation>n’ont pas le droit de garder ce qu’elles gagnent</translation>
+    </message>
+    <message>
+        <source>name %1, which is no structure</source>
+        <translation>nomment %1, qui n’est pas une structure</translation>
+    </message>
+    <message>
+        <source>is the label that the branch has</source>
+        <translation>est l’étiquette qu’a déjà la branche</translation>
+    </message>
+    <message>
+        <source>has fewer than three points</source>
+        <translation>a moins de trois points</translation>
+    </message>
+    <message>
+        <source>has fewer than two points</source>
+        <translation>a moins de deux points</translation>
+    </message>
+    <message>
+        <source>has a normal that is not of length 1</source>
+        <translation>a une normale dont la longueur n’est pas 1</translation>
+    </message>
+    <message>
+        <source>has a place that is not finite</source>
+        <translation>a une place qui n’est pas finie</translation>
+    </message>
+    <message>
+        <source>has an offset that is not finite</source>
+        <translation>a un décalage qui n’est pas fini</translation>
+    </message>
+    <message>
+        <source>is %1 thick</source>
+        <translation>a une épaisseur de %1</translation>
+    </message>
+    <message>
+        <source>shows no view of space</source>
+        <translation>ne montre pas une vue de l’espace</translation>
+    </message>
+    <message>
+        <source>is %1 with a high of %2</source>
+        <translation>vaut %1 pour une limite haute de %2</translation>
+    </message>
+    <message>
+        <source>has the same place twice (%1 and %2)</source>
+        <translation>a deux fois le même endroit (%1 et %2)</translation>
+    </message>
+    <message>
+        <source>is below 0.5 mm</source>
+        <translation>est inférieur à 0,5 mm</translation>
+    </message>
+    <message>
+        <source>leaves %1 between %2 and %3, more than 100 mm</source>
+        <translation>laisse %1 entre %2 et %3, plus de 100 mm</translation>
+    </message>
+    <message>
+        <source>both places lie on one tree: a join would close a loop</source>
+        <translation>les deux endroits sont sur un même arbre : une jonction fermerait une boucle</translation>
+    </message>
+    <message>
+        <source>lies %1 mm from the nearest vessel</source>
+        <translation>est à %1 mm du vaisseau le plus proche</translation>
+    </message>
+    <message>
+        <source>one place lies on the %1, the other on the %2</source>
+        <translation>un endroit est sur %1, l’autre sur %2</translation>
+    </message>
+    <message>
+        <source>the places lie %1 mm apart</source>
+        <translation>les endroits sont à %1 mm l’un de l’autre</translation>
+    </message>
+    <message>
+        <source>there is no vessel tree</source>
+        <translation>il n’y a pas d’arbre vasculaire</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known</source>
+        <translation>« %1 » n’est pas connu</translation>
+    </message>
+    <message>
+        <source>%1 has %2 markers, too few for this board</source>
+        <translation>%1 a %2 marqueurs, trop peu pour cette mire</translation>
+    </message>
+    <message>
+        <source>is %1 mm</source>
+        <translation>vaut %1 mm</translation>
+    </message>
+    <message>
+        <source>matches itself but not the calibration (its points lie %1 pixels from their epipolar lines, %2 % of them before the cameras): the calibration is of another laparoscope, or of another zoom or focus</source>
+        <translation>correspond à elle-même mais pas au calibrage (ses points sont à %1 pixels de leurs lignes épipolaires, %2 % d’entre eux devant les caméras) : le calibrage est d’un autre laparoscope, ou d’un autre zoom ou d’une autre mise au point</translation>
+    </message>
+    <message>
+        <source>Give at least one</source>
+        <translation>Donnez-en au moins un</translation>
+    </message>
+    <message>
+        <source>Write three lists of four numbers</source>
+        <translation>Écrivez trois listes de quatre nombres</translation>
+    </message>
+    <message>
+        <source>Remove it, or correct its name</source>
+        <translation>Retirez-le, ou corrigez son nom</translation>
+    </message>
+    <message>
+        <source>Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder, lesion_1, other_1 and so on</source>
+        <translation>Utilisez background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder, lesion_1, other_1, etc.</translation>
+    </message>
+    <message>
+        <source>Write a name in quotes</source>
+        <translation>Écrivez un nom entre guillemets</translation>
+    </message>
+    <message>
+        <source>Write a whole number</source>
+        <translation>Écrivez un nombre entier</translation>
+    </message>
+    <message>
+        <source>Write it in square brackets</source>
+        <translation>Écrivez-le entre crochets</translation>
+    </message>
+    <message>
+        <source>Write lists of numbers</source>
+        <translation>Écrivez des listes de nombres</translation>
+    </message>
+    <message>
+        <source>Write true or false</source>
+        <translation>Écrivez true ou false</translation>
+    </message>
+    <message>
+        <source>Choose 0, 1 or 2: the voxel axis across the slice</source>
+        <translation>Choisissez 0, 1 ou 2 : l’axe des voxels en travers de la coupe</translation>
+    </message>
+    <message>
+        <source>Choose 1 to %1</source>
+        <translation>Choisissez 1 à %1</translation>
+    </message>
+    <message>
+        <source>Choose 1 and more: over what is usual</source>
+        <translation>Choisissez 1 ou plus : au-delà de l’usuel</translation>
+    </message>
+    <message>
+        <source>Choose a low that is not above the high</source>
+        <translation>Choisissez une limite basse qui ne dépasse pas la haute</translation>
+    </message>
+    <message>
+        <source>Choose a structure</source>
+        <translation>Choisissez une structure</translation>
+    </message>
+    <message>
+        <source>Choose more than 0 and at most %1</source>
+        <translation>Choisissez plus de 0 et au plus %1</translation>
+    </message>
+    <message>
+        <source>Give points of the CT&apos;s frame</source>
+        <translation>Donnez des points du repère du scanner</translation>
+    </message>
+    <message>
+        <source>Unlock it, or choose another one</source>
+        <translation>Déverrouillez-le, ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>Choose labels that compete</source>
+        <translation>Choisissez des étiquettes qui rivalisent</translation>
+    </message>
+    <message>
+        <source>Choose one or more to grow</source>
+        <translation>Choisissez-en une ou plus à faire croître</translation>
+    </message>
+    <message>
+        <source>Choose structures that have voxels</source>
+        <translation>Choisissez des structures qui ont des voxels</translation>
+    </message>
+    <message>
+        <source>Choose at least a slice&apos;s thickness</source>
+        <translation>Choisissez au moins l’épaisseur d’une coupe</translation>
+    </message>
+    <message>
+        <source>Draw around an area</source>
+        <translation>Tracez autour d’une zone</translation>
+    </message>
+    <message>
+        <source>Draw it in the view</source>
+        <translation>Dessinez-le dans la vue</translation>
+    </message>
+    <message>
+        <source>Give metres</source>
+        <translation>Donnez des mètres</translation>
+    </message>
+    <message>
+        <source>Give the 3 x 4 matrix of the view</source>
+        <translation>Donnez la matrice 3 x 4 de la vue</translation>
+    </message>
+    <message>
+        <source>Normalise it</source>
+        <translation>Normalisez-la</translation>
+    </message>
+    <message>
+        <source>Choose 0.5 to 8 mm</source>
+        <translation>Choisissez 0,5 à 8 mm</translation>
+    </message>
+    <message>
+        <source>Click points between them</source>
+        <translation>Cliquez des points entre eux</translation>
+    </message>
+    <message>
+        <source>Give the two ends of the gap</source>
+        <translation>Donnez les deux bouts de la lacune</translation>
+    </message>
+    <message>
+        <source>Join trees of one kind</source>
+        <translation>Joignez des arbres d’un même genre</translation>
+    </message>
+    <message>
+        <source>Point at a vessel of the model</source>
+        <translation>Désignez un vaisseau du modèle</translation>
+    </message>
+    <message>
+        <source>Point at places within 60 mm</source>
+        <translation>Désignez des endroits distants de 60 mm au plus</translation>
+    </message>
+    <message>
+        <source>Point at two different trees</source>
+        <translation>Désignez deux arbres différents</translation>
+    </message>
+    <message>
+        <source>A marker is smaller than its square</source>
+        <translation>Un marqueur est plus petit que sa case</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s size and dictionary</source>
+        <translation>Vérifiez la taille et le dictionnaire de la mire</translation>
+    </message>
+    <message>
+        <source>Count the inner corners: from 3 to 50 a side</source>
+        <translation>Comptez les coins intérieurs : de 3 à 50 par côté</translation>
+    </message>
+    <message>
+        <source>Give OpenCV&apos;s name, such as DICT_4X4_50</source>
+        <translation>Donnez le nom d’OpenCV, comme DICT_4X4_50</translation>
+    </message>
+    <message>
+        <source>Measure the side of a square: up to 200 mm</source>
+        <translation>Mesurez le côté d’une case : jusqu’à 200 mm</translation>
+    </message>
+    <message>
+        <source>Give a number between -1 and 0.5</source>
+        <translation>Donnez un nombre entre -1 et 0,5</translation>
+    </message>
+    <message>
+        <source>Give numbers between -1 and 0.5</source>
+        <translation>Donnez des nombres entre -1 et 0,5</translation>
+    </message>
+    <message>
+        <source>Give a relative residual between 0 and 1</source>
+        <translation>Donnez un résidu relatif entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>Give positive lengths in metres</source>
+        <translation>Donnez des longueurs positives en mètres</translation>
+    </message>
+    <message>
+        <source>Give positive numbers</source>
+        <translation>Donnez des nombres positifs</translation>
+    </message>
+    <message>
+        <source>Give a positive length in metres</source>
+        <translation>Donnez une longueur positive en mètres</translation>
+    </message>
+    <message>
+        <source>Give a positive number</source>
+        <translation>Donnez un nombre positif</translation>
+    </message>
+    <message>
+        <source>Give a positive number of pixels</source>
+        <translation>Donnez un nombre positif de pixels</translation>
+    </message>
+    <message>
+        <source>Give a positive number of seconds</source>
+        <translation>Donnez un nombre positif de secondes</translation>
+    </message>
+    <message>
+        <source>Give a positive number up to %1</source>
+        <translation>Donnez un nombre positif jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>Give a number from zero</source>
+        <translation>Donnez un nombre à partir de zéro</translation>
+    </message>
+    <message>
+        <source>Give a number from %1 to %2</source>
+        <translation>Donnez un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>Give a length from zero, in metres</source>
+        <translation>Donnez une longueur à partir de zéro, en mètres</translation>
+    </message>
+    <message>
+        <source>Give a share above 0, at most 1</source>
+        <translation>Donnez une part supérieure à 0, au plus 1</translation>
+    </message>
+    <message>
+        <source>Give a share from 0 to 1</source>
+        <translation>Donnez une part de 0 à 1</translation>
+    </message>
+    <message>
+        <source>Give a share up to that of `fresh`</source>
+        <translation>Donnez une part jusqu’à celle de « fresh »</translation>
+    </message>
+    <message>
+        <source>Give an odd number from 5</source>
+        <translation>Donnez un nombre impair à partir de 5</translation>
+    </message>
+    <message>
+        <source>Give less than lies between two checks</source>
+        <translation>Donnez moins que ce qui sépare deux contrôles</translation>
+    </message>
+    <message>
+        <source>Give more than one</source>
+        <translation>Donnez plus de un</translation>
+    </message>
+    <message>
+        <source>Give the margin at least</source>
+        <translation>Donnez au moins la marge (margin)</translation>
+    </message>
+    <message>
+        <source>Give %1 or more</source>
+        <translation>Donnez %1 ou plus</translation>
+    </message>
+    <message>
+        <source>Give the server&apos;s port, as 18944</source>
+        <translation>Donnez le port du serveur, comme 18944</translation>
+    </message>
+    <message>
+        <source>Give up to 100</source>
+        <translation>Donnez jusqu’à 100</translation>
+    </message>
+    <message>
+        <source>Give up to 60 seconds</source>
+        <translation>Donnez jusqu’à 60 secondes</translation>
+    </message>
+    <message>
+        <source>Give up to a second</source>
+        <translation>Donnez jusqu’à une seconde</translation>
+    </message>
+    <message>
+        <source>Give up to a second; 0 is half a frame</source>
+        <translation>Donnez jusqu’à une seconde ; 0 est une demi-image</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

@@ -116,6 +116,9 @@ void ErrorTextsTest::NamesDoNotGetIntoTheLog_data() {
                              << "stands twice. Export it again";
   QTest::newRow("a name in a place")
       << "volume: holds no series mueller anna, but \"smith\". Choose one of these by its UID."
+      << "holds no series _, but _. Choose one of these by its UID";
+  QTest::newRow("a name in an unknown sentence")
+      << "volume: looks like mueller anna, not \"smith\". Choose one of these by its UID."
       << "another error. Choose one of these by its UID";
   QTest::newRow("a person")
       << "/home/mueller anna/x.glisson: is open for writing by smith. Close it there, or save "

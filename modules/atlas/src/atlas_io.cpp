@@ -38,7 +38,7 @@ class Sheet {
  public:
   Sheet(const json& document, std::string file, std::string path = {})
       : document_(document), file_(std::move(file)), path_(std::move(path)) {
-    if (!document.is_object()) fail("", "is no object");
+    if (!document.is_object()) fail("", "is not an object");
   }
   Sheet at(const char* key) const { return {field(key), file_, name(key)}; }
   double number(const char* key) const {
@@ -55,14 +55,14 @@ class Sheet {
   std::vector<Sheet> list(const char* key) const {
     std::vector<Sheet> sheets;
     const json& value = field(key);
-    if (!value.is_array()) fail(key, "is no list");
+    if (!value.is_array()) fail(key, "is not a list");
     for (std::size_t i = 0; i < value.size(); ++i)
       sheets.emplace_back(value[i], file_, name(key) + "[" + std::to_string(i) + "]");
     return sheets;
   }
   std::vector<std::string> texts(const char* key) const {
     const json& value = field(key);
-    if (!value.is_array()) fail(key, "is no list");
+    if (!value.is_array()) fail(key, "is not a list");
     std::vector<std::string> all;
     for (const json& one : value) {
       if (!one.is_string()) fail(key, "holds something else than texts");
@@ -124,7 +124,7 @@ json sheet_of(const StructureStatistics& one) {
 StructureStatistics statistics_of(const Sheet& sheet) {
   StructureStatistics one;
   const auto structure = structure_of(sheet.text("structure"));
-  if (!structure) sheet.fail("structure", "is unknown: " + sheet.text("structure"));
+  if (!structure) sheet.fail("structure", "is \"" + sheet.text("structure") + "\", which is unknown");
   one.structure = *structure;
   one.origin = sheet.text("origin");
   one.members = sheet.texts("members");
@@ -202,7 +202,7 @@ Atlas read_atlas(const fs::path& folder) {
   const fs::path path = folder / "atlas.json";
   const json document = read_json(path);
   const Sheet sheet(document, path.string());
-  if (sheet.text("format") != kFormat) sheet.fail("format", "is no atlas'");
+  if (sheet.text("format") != kFormat) sheet.fail("format", "is not that of an atlas");
   if (sheet.number("version") != kVersion)
     throw InputError(path.string(), "version", "is not " + std::to_string(kVersion),
                      "Build the atlas again with this program");
@@ -211,14 +211,14 @@ Atlas read_atlas(const fs::path& folder) {
   atlas.usual = sheet.number("usual");
   atlas.log_size = sheet.number("log_size");
   atlas.log_size_deviation = sheet.number("log_size_deviation");
-  if (!(atlas.usual > 0.0)) sheet.fail("usual", "is not above 0");
-  if (!(atlas.log_size_deviation > 0.0)) sheet.fail("log_size_deviation", "is not above 0");
+  if (!(atlas.usual > 0.0)) sheet.fail("usual", "is not positive");
+  if (!(atlas.log_size_deviation > 0.0)) sheet.fail("log_size_deviation", "is not positive");
   for (const Sheet& one : sheet.list("members"))
     atlas.members.push_back({one.text("name"), one.number("weight"), one.number("size_mm") / kMm,
                              one.number("unusual"), one.number("mean_distance_mm") / kMm});
   for (const Sheet& one : sheet.list("structures")) atlas.structures.push_back(statistics_of(one));
   const json& variances = sheet.field("variances_mm2");
-  if (!variances.is_array()) sheet.fail("variances_mm2", "is no list");
+  if (!variances.is_array()) sheet.fail("variances_mm2", "is not a list");
   atlas.shape.variances.resize(static_cast<Eigen::Index>(variances.size()));
   for (std::size_t k = 0; k < variances.size(); ++k) {
     if (!variances[k].is_number() || !(variances[k].get<double>() > 0.0))

@@ -376,12 +376,12 @@ class Builder {
 
 void BuildOptions::validate() const {
   const OptionCheck check("atlas options");
-  check(share > 0.0 && share <= 1.0, "share", share, "Choose a share above 0, at most 1");
+  check(share > 0.0 && share <= 1.0, "share", share, "Give a share above 0, at most 1");
   check(added_deviation >= 0.0 && added_deviation < 0.1, "added_deviation", added_deviation,
-        "Choose metres from 0 to 0.1");
+        "Give a number from 0 to 0.1 m");
   check(added_unusual >= 1.0 && added_unusual < 100.0, "added_unusual", added_unusual,
         "Choose 1 and more: over what is usual");
-  check(threads >= 1 && threads <= 64, "threads", threads, "Choose 1 to 64");
+  check(threads >= 1 && threads <= 64, "threads", threads, "Give a number from 1 to 64");
 }
 
 Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, const BuildOptions& options,

@@ -72,7 +72,7 @@ void ScriptEntry::refuse_choice(const std::string& key, const std::string& wante
                                 const std::vector<std::string>& words) const {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  refuse(key, "is \"" + wanted + "\"", "Use one of " + list);
+  refuse(key, "is \"" + wanted + "\"", "Take one of " + list);
 }
 
 std::vector<Label> ScriptEntry::labels(const std::string& key) {

@@ -209,7 +209,8 @@ void check_labels(const SettingsCheck& check, const GrowFromSeeds& t) {
   };
   for (const Label label : t.rivals) {
     if (label == structure::kBackground || label > structure::kLastLesion)
-      check.refuse("rivals", "name " + structure_name(label), "Choose structures that have voxels");
+      check.refuse("rivals", "name " + structure_name(label) + ", which is no structure",
+                   "Choose structures that have voxels");
     count(label, true);
   }
   for (const Label label : t.labels) {

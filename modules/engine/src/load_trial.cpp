@@ -168,17 +168,17 @@ class ElasticTrial : public LoadTrial {
 void TrialOptions::validate() const {
   materials.validate();
   const OptionCheck demand("trial options");
-  demand(time_step >= 1e-3 && time_step <= 0.1, "time_step", time_step, "Give 0.001 to 0.1 s");
+  demand(time_step >= 1e-3 && time_step <= 0.1, "time_step", time_step, "Give a number from 0.001 to 0.1 s");
   demand(pull_stiffness > 0.0 && pull_stiffness <= 1e5, "pull_stiffness", pull_stiffness,
-         "Give a positive stiffness up to 1e5 N/m");
+         "Give a positive number up to 1e5 N/m");
   demand(pull_limit > 0.0 && pull_limit <= 100.0, "pull_limit", pull_limit,
-         "Give a positive force up to 100 N");
+         "Give a positive number up to 100 N");
   demand(target_speed > 0.0 && target_speed <= 10.0, "target_speed", target_speed,
-         "Give a positive speed up to 10 m/s");
+         "Give a positive number up to 10 m/s");
   demand(boundary_young_modulus > 0.0, "boundary_young_modulus", boundary_young_modulus,
-         "Give a positive modulus");
-  demand(boundary_length > 0.0, "boundary_length", boundary_length, "Give a positive length");
-  demand(fast_from >= 0, "fast_from", fast_from, "Give 0 or more tetrahedra");
+         "Give a positive number");
+  demand(boundary_length > 0.0, "boundary_length", boundary_length, "Give a positive length in metres");
+  demand(fast_from >= 0, "fast_from", fast_from, "Give a number from zero");
 }
 
 Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, const TrialOptions& options,

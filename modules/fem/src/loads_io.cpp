@@ -26,7 +26,7 @@ class Reader {
     std::string known;
     for (const std::string& key : keys) known += (known.empty() ? "" : ", ") + key;
     for (const auto& [key, unused] : value_.items())
-      if (!keys.contains(key)) fail(key, "is not a key of a load file", "Known here: " + known);
+      if (!keys.contains(key)) fail(key, "is not a key of a load file", "Take one of " + known);
   }
 
   bool has(const std::string& key) const { return value_.contains(key); }
@@ -70,7 +70,7 @@ class Reader {
     std::vector<int> list;
     for (const json& item : at(key)) {
       if (!item.is_number_integer() || item.get<long long>() < 0 || item.get<long long>() > 1'000'000'000)
-        fail(key, "holds " + item.dump(), "Give 0-based indices");
+        fail(key, "holds " + item.dump() + ", which is no index", "Give 0-based indices");
       list.push_back(item.get<int>());
     }
     return list;

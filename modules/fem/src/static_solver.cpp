@@ -213,7 +213,7 @@ class StaticSolve {
 
 void StaticOptions::validate() const {
   const OptionCheck demand("static options");
-  demand(max_iterations >= 1, "max_iterations", max_iterations, "Give one at least");
+  demand(max_iterations >= 1, "max_iterations", max_iterations, "Give 1 or more");
   demand(tolerance > 0.0 && tolerance < 1.0, "tolerance", tolerance,
          "Give a relative residual between 0 and 1");
   for (const int node : fixed_nodes) demand(node >= 0, "fixed_nodes", node, "Give 0-based node numbers");

@@ -145,7 +145,7 @@ class VtkXmlParser {
     const std::string compressor = value(a, "compressor");
     packed_ = !compressor.empty();
     if (packed_ && compressor != "vtkZLibDataCompressor")
-      refuse("compressor", "is " + compressor.substr(0, 40) + ", which is not read",
+      refuse("compressor", "is \"" + compressor.substr(0, 40) + "\", which is not read",
              "Save it packed by ZLib, or plain");
   }
 

@@ -22,9 +22,9 @@ void XmlScanner::fail(const std::string& problem) const {
   throw InputError(name_, "line " + std::to_string(line), problem, "The file is damaged: export it again");
 }
 
-void XmlScanner::skip_to(std::string_view mark, const char* what) {
+void XmlScanner::skip_to(std::string_view mark, const char* problem) {
   const std::size_t at = text_.find(mark, position_);
-  if (at == std::string_view::npos) fail(std::string(what) + " does not end");
+  if (at == std::string_view::npos) fail(problem);
   position_ = at + mark.size();
 }
 
@@ -63,9 +63,9 @@ std::string XmlScanner::attribute_value() {
 XmlScanner::Token XmlScanner::next() {
   while (starts("<?") || starts("<!--")) {
     if (starts("<?"))
-      skip_to("?>", "an instruction");
+      skip_to("?>", "an instruction does not end");
     else
-      skip_to("-->", "a comment");
+      skip_to("-->", "a comment does not end");
   }
   Token token;
   if (position_ >= text_.size()) return token;

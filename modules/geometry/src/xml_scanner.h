@@ -29,7 +29,7 @@ class XmlScanner {
 
  private:
   bool starts(std::string_view mark) const { return text_.substr(position_).starts_with(mark); }
-  void skip_to(std::string_view mark, const char* what);
+  void skip_to(std::string_view mark, const char* problem);
   void skip_space();
   std::string word();
   std::string attribute_value();

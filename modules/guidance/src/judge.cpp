@@ -33,23 +33,23 @@ void JudgeOptions::validate() const {
   demand(gap > 0.0, "gap", gap, "Give a positive number");
   demand(mean_gap > 0.0, "mean_gap", mean_gap, "Give a positive number");
   demand(local > 0.0, "local", local, "Give a positive number");
-  demand(lifted > 0.0 && lifted <= 1.0, "lifted", lifted, "Give a share");
-  demand(behind > 0.0 && behind <= 1.0, "behind", behind, "Give a share");
-  demand(pull > 0.0, "pull", pull, "Give a positive length");
+  demand(lifted > 0.0 && lifted <= 1.0, "lifted", lifted, "Give a share above 0, at most 1");
+  demand(behind > 0.0 && behind <= 1.0, "behind", behind, "Give a share above 0, at most 1");
+  demand(pull > 0.0, "pull", pull, "Give a positive length in metres");
   demand(pull_sigmas > 0.0, "pull_sigmas", pull_sigmas, "Give a positive number");
-  demand(supported >= 0.0 && supported <= 1.0, "supported", supported, "Give a share");
+  demand(supported >= 0.0 && supported <= 1.0, "supported", supported, "Give a share from 0 to 1");
   demand(least_supported >= 0.0 && least_supported <= 1.0, "least_supported", least_supported,
-         "Give a share");
-  demand(unknown > 0.0, "unknown", unknown, "Give a positive length");
-  demand(before > 0.0 && before <= 1.0, "before", before, "Give a share");
+         "Give a share from 0 to 1");
+  demand(unknown > 0.0, "unknown", unknown, "Give a positive length in metres");
+  demand(before > 0.0 && before <= 1.0, "before", before, "Give a share above 0, at most 1");
   demand(least_signal >= 0.0, "least_signal", least_signal, "Give a number from zero");
-  demand(contrast >= 0.0 && contrast <= 1.0, "contrast", contrast, "Give a share");
+  demand(contrast >= 0.0 && contrast <= 1.0, "contrast", contrast, "Give a share from 0 to 1");
   demand(motion >= 0.0, "motion", motion, "Give a number from zero");
   demand(repeated >= 0.0 && repeated <= fresh, "repeated", repeated, "Give a share up to that of `fresh`");
-  demand(fresh <= 1.0, "fresh", fresh, "Give a share");
+  demand(fresh <= 1.0, "fresh", fresh, "Give a share from 0 to 1");
   demand(louder > 1.0, "louder", louder, "Give more than one");
   demand(rows > 0.0, "rows", rows, "Give a positive number of pixels");
-  demand(relief > 0.0 && relief <= 1.0, "relief", relief, "Give a share");
+  demand(relief > 0.0 && relief <= 1.0, "relief", relief, "Give a share above 0, at most 1");
 }
 
 struct Judge::Impl {

@@ -55,12 +55,12 @@ double reach_of(const Eigen::Matrix3d& covariance) {
 
 void LesionOptions::validate() const {
   const OptionCheck demand("lesion options");
-  demand(margin > 0.0, "margin", margin, "Give a positive length");
+  demand(margin > 0.0, "margin", margin, "Give a positive length in metres");
   demand(useless >= margin, "useless", useless, "Give the margin at least");
   demand(unknown_forces >= 0.0, "unknown_forces", unknown_forces, "Give a number from zero");
-  demand(reach > 0.0, "reach", reach, "Give a positive length");
+  demand(reach > 0.0, "reach", reach, "Give a positive length in metres");
   demand(settle > 0.0, "settle", settle, "Give a positive number of seconds");
-  demand(relief > 0.0 && relief <= 1.0, "relief", relief, "Give a share");
+  demand(relief > 0.0 && relief <= 1.0, "relief", relief, "Give a share above 0, at most 1");
 }
 
 struct LesionJudge::Impl {

@@ -32,7 +32,7 @@ Sheet::Sheet(const std::filesystem::path& path) : path_(path.string()) {
   if (!std::filesystem::exists(path, failure))
     refuse("", "does not exist", "Write the network's sheet beside it (see the manual)");
   document_ = read_json(path);
-  if (!document_.is_object()) refuse("", "is no JSON object", "Write {\"channels\": [...], ...}");
+  if (!document_.is_object()) refuse("", "is not a JSON object", "Write {\"channels\": [...], ...}");
 }
 
 const nlohmann::json* Sheet::find(const char* field) {
@@ -45,7 +45,7 @@ std::optional<double> Sheet::number(const char* field, double low, double high) 
   const nlohmann::json* value = find(field);
   if (value == nullptr) return {};
   if (!is_between(*value, low, high))
-    refuse(field, "is no number from " + range_text(low, high), "Write one number");
+    refuse(field, "is no number from " + range_text(low, high), "Write a number");
   return value->get<double>();
 }
 
@@ -80,7 +80,7 @@ void Sheet::no_other_fields() const {
     if (!known_.contains(field)) {
       std::string list;
       for (const std::string& one : known_) list += (list.empty() ? "" : ", ") + one;
-      refuse(field, "is no field of a network's sheet", "Use " + list);
+      refuse(field, "is no field of a network's sheet", "Take one of " + list);
     }
 }
 

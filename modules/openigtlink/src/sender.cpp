@@ -44,7 +44,7 @@ void SenderOptions::validate() const {
          surfaces_per_second, "Give up to 100");
   demand(silence > 0.0 && silence <= 60.0, "silence", silence, "Give up to 60 seconds");
   demand(patience > 0.0 && patience <= 60.0, "patience", patience, "Give up to 60 seconds");
-  demand(most_peers > 0 && most_peers <= 64, "most_peers", most_peers, "Give 1 to 64");
+  demand(most_peers > 0 && most_peers <= 64, "most_peers", most_peers, "Give a number from 1 to 64");
 }
 
 struct Sender::Impl {

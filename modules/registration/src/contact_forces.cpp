@@ -98,28 +98,29 @@ class Fits {
 
 void ContactForceOptions::validate() const {
   const OptionCheck demand("contact forces");
-  demand(!materials.empty(), "materials", 0.0, "Give one law at least");
+  demand(!materials.empty(), "materials", 0.0, "Give 1 or more");
   for (const auto& material : materials)
     demand(material.poisson_ratio > -1.0 && material.poisson_ratio < 0.5, "poisson_ratio",
            material.poisson_ratio, "Give a number between -1 and 0.5");
   for (const double ratio : poisson_ratios)
     demand(ratio > -1.0 && ratio < 0.5, "poisson_ratios", ratio, "Give numbers between -1 and 0.5");
-  demand(!sigmas.empty(), "sigmas", 0.0, "Give one stage at least");
+  demand(!sigmas.empty(), "sigmas", 0.0, "Give 1 or more");
   for (const double sigma : sigmas)
     demand(sigma > 0.0 && std::isfinite(sigma), "sigmas", sigma, "Give positive lengths in metres");
-  demand(!grounds.empty(), "grounds", 0.0, "Give one stiffness at least");
+  demand(!grounds.empty(), "grounds", 0.0, "Give 1 or more");
   for (const double ground : grounds)
     demand(ground > 0.0 && std::isfinite(ground), "grounds", ground, "Give positive numbers");
   demand(patch_spacing > 0.0, "patch_spacing", patch_spacing, "Give a positive length in metres");
   demand(patch_radius > 0.0, "patch_radius", patch_radius, "Give a positive length in metres");
   demand(patch_reach > 0.0, "patch_reach", patch_reach, "Give a positive length in metres");
   demand(!information || (*information > 0.0 && *information <= 1.0), "information",
-         information.value_or(1.0), "Give a share in (0, 1]");
-  demand(patch_price >= 0.0 && std::isfinite(patch_price), "patch_price", patch_price, "Give 0 or more");
-  demand(iterations > 0, "iterations", iterations, "Give one at least");
+         information.value_or(1.0), "Give a share above 0, at most 1");
+  demand(patch_price >= 0.0 && std::isfinite(patch_price), "patch_price", patch_price,
+         "Give a number from zero");
+  demand(iterations > 0, "iterations", iterations, "Give 1 or more");
   demand(outlier_distance > 0.0, "outlier_distance", outlier_distance, "Give a positive length in metres");
   demand(max_step > 0.0, "max_step", max_step, "Give a positive length in metres");
-  demand(most_points >= 10, "most_points", most_points, "Give ten at least");
+  demand(most_points >= 10, "most_points", most_points, "Give 10 or more");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 

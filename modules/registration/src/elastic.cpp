@@ -182,20 +182,20 @@ void ElasticOptions::validate() const {
   demand(s > 0.0 && std::isfinite(s), "s", s, "Give a positive number");
   demand(k_notch >= 0.0, "k_notch", k_notch, "Give a number from zero");
   demand(k_margin_min >= 0.0 && k_margin_min <= k_margin_max, "k_margin_min", k_margin_min,
-         "Give a number from zero to k_margin_max");
+         "Give a number from 0 to k_margin_max");
   demand(k_surface_min >= 0.0 && k_surface_min <= k_surface_max, "k_surface_min", k_surface_min,
-         "Give a number from zero to k_surface_max");
-  demand(r_margin > 0, "r_margin", r_margin, "Give one at least");
-  demand(r_surface > 0, "r_surface", r_surface, "Give one at least");
+         "Give a number from 0 to k_surface_max");
+  demand(r_margin > 0, "r_margin", r_margin, "Give 1 or more");
+  demand(r_surface > 0, "r_surface", r_surface, "Give 1 or more");
   demand(reference_density_per_cm2 > 0.0, "reference_density_per_cm2", reference_density_per_cm2,
          "Give a positive number");
-  demand(final_stiffening >= 1.0, "final_stiffening", final_stiffening, "Give one at least");
+  demand(final_stiffening >= 1.0, "final_stiffening", final_stiffening, "Give 1 or more");
   demand(tangential >= 0.0 && tangential <= 1.0, "tangential", tangential, "Give a share from 0 to 1");
-  demand(max_steps > 0, "max_steps", max_steps, "Give one at least");
+  demand(max_steps > 0, "max_steps", max_steps, "Give 1 or more");
   demand(time_step > 0.0, "time_step", time_step, "Give a positive number of seconds");
-  demand(plateau_change > 0.0, "plateau_change", plateau_change, "Give a positive share");
-  demand(plateau_motion > 0.0, "plateau_motion", plateau_motion, "Give a positive length");
-  demand(plateau_window > 0, "plateau_window", plateau_window, "Give one at least");
+  demand(plateau_change > 0.0, "plateau_change", plateau_change, "Give a positive number");
+  demand(plateau_motion > 0.0, "plateau_motion", plateau_motion, "Give a positive length in metres");
+  demand(plateau_window > 0, "plateau_window", plateau_window, "Give 1 or more");
   materials.validate();
   shape.validate();
 }

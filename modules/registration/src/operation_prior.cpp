@@ -192,18 +192,20 @@ bool OperationOptions::operator==(const OperationOptions& other) const {
 void OperationOptions::validate() const {
   const OptionCheck demand("operation options");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
-  demand(operations >= kFewest + 10, "operations", operations, "Give 40 at least");
-  demand(modes >= 1, "modes", modes, "Give one at least");
-  demand(gravity >= 0.0 && gravity <= 20.0, "gravity", gravity, "Give 0 to 20 m/s2");
-  demand(gas_pa >= 0.0 && gas_pa <= 4000.0, "gas_pa", gas_pa, "Give 0 to 4000 Pa");
-  demand(bed_m >= 0.0 && bed_m <= 0.1, "bed_m", bed_m, "Give 0 to 0.1 m");
-  demand(ligament_m >= 0.0 && ligament_m <= 0.1, "ligament_m", ligament_m, "Give 0 to 0.1 m");
-  demand(unforeseen_m >= 0.0 && unforeseen_m <= 0.05, "unforeseen_m", unforeseen_m, "Give 0 to 0.05 m");
+  demand(operations >= kFewest + 10, "operations", operations, "Give 40 or more");
+  demand(modes >= 1, "modes", modes, "Give 1 or more");
+  demand(gravity >= 0.0 && gravity <= 20.0, "gravity", gravity, "Give a number from 0 to 20 m/s2");
+  demand(gas_pa >= 0.0 && gas_pa <= 4000.0, "gas_pa", gas_pa, "Give a number from 0 to 4000 Pa");
+  demand(bed_m >= 0.0 && bed_m <= 0.1, "bed_m", bed_m, "Give a number from 0 to 0.1 m");
+  demand(ligament_m >= 0.0 && ligament_m <= 0.1, "ligament_m", ligament_m, "Give a number from 0 to 0.1 m");
+  demand(unforeseen_m >= 0.0 && unforeseen_m <= 0.05, "unforeseen_m", unforeseen_m,
+         "Give a number from 0 to 0.05 m");
   const auto is_modulus = [](double pascals) { return pascals >= 1.0 && pascals <= 1e9; };
-  demand(is_modulus(young_modulus), "young_modulus", young_modulus, "Give 1 to 1e9 Pa");
+  demand(is_modulus(young_modulus), "young_modulus", young_modulus, "Give a number from 1 to 1e9 Pa");
   for (const auto& [label, modulus] : lesions)
-    demand(is_modulus(modulus), structure_name(label).c_str(), modulus, "Give 1 to 1e9 Pa");
-  demand(contact_spread >= 0.0 && contact_spread <= 2.0, "contact_spread", contact_spread, "Give 0 to 2");
+    demand(is_modulus(modulus), structure_name(label).c_str(), modulus, "Give a number from 1 to 1e9 Pa");
+  demand(contact_spread >= 0.0 && contact_spread <= 2.0, "contact_spread", contact_spread,
+         "Give a number from 0 to 2");
 }
 
 Points OperationPrior::shape(const Points& rest, const Eigen::VectorXd& amplitudes) const {

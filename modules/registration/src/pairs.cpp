@@ -167,14 +167,14 @@ void CloudOptions::validate() const {
   const OptionCheck demand("cloud options");
   demand(reference_density_per_cm2 > 0.0, "reference_density_per_cm2", reference_density_per_cm2,
          "Give a positive number");
-  demand(maximum_points >= 10, "maximum_points", maximum_points, "Give ten at least");
-  demand(neighbours >= 1, "neighbours", neighbours, "Give one at least");
+  demand(maximum_points >= 10, "maximum_points", maximum_points, "Give 10 or more");
+  demand(neighbours >= 1, "neighbours", neighbours, "Give 1 or more");
 }
 
 void PairOptions::validate() const {
   const OptionCheck demand("pair options");
   demand(minimum_normal_cosine >= -1.0 && minimum_normal_cosine <= 1.0, "minimum_normal_cosine",
-         minimum_normal_cosine, "Give a cosine, from -1 to 1");
+         minimum_normal_cosine, "Give a number from -1 to 1");
   demand(outlier_deviations > 0.0, "outlier_deviations", outlier_deviations, "Give a positive number");
   demand(outlier_floor >= 0.0, "outlier_floor", outlier_floor, "Give a length from zero, in metres");
 }

@@ -342,10 +342,10 @@ std::vector<std::string> doubts_about(const PatientModel& model, const LabelledC
 
 void RigidOptions::validate() const {
   const OptionCheck demand("rigid options");
-  demand(starts >= 1, "starts", starts, "Give one at least");
+  demand(starts >= 1, "starts", starts, "Give 1 or more");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
   demand(outlier_share >= 0.0 && outlier_share < 0.9, "outlier_share", outlier_share,
-         "Give a share from 0 to 0.9");
+         "Give a number from 0 to 0.9");
 }
 
 namespace {

@@ -276,8 +276,9 @@ void ShapeFitOptions::validate() const {
   demand(sigma_surface > 0.0, "sigma_surface", sigma_surface, "Give a positive length in metres");
   demand(sigma_margin > 0.0, "sigma_margin", sigma_margin, "Give a positive length in metres");
   demand(sigma_notch > 0.0, "sigma_notch", sigma_notch, "Give a positive length in metres");
-  demand(information > 0.0 && information <= 1.0, "information", information, "Give a share in (0, 1]");
-  demand(max_iterations > 0, "max_iterations", max_iterations, "Give one at least");
+  demand(information > 0.0 && information <= 1.0, "information", information,
+         "Give a share above 0, at most 1");
+  demand(max_iterations > 0, "max_iterations", max_iterations, "Give 1 or more");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 

@@ -81,8 +81,8 @@ Region parse_region(const std::string& file, const std::string& field, const nlo
   region.polygon = parse_vertices(file, field, entry[shape]);
   if (region.polygon.size() < region.fewest_vertices())
     refuse(file, field,
-           "has " + std::to_string(region.polygon.size()) + " vertices, which " +
-               (region.closed ? "enclose nothing" : "are no line"),
+           "has " + std::to_string(region.polygon.size()) +
+               (region.closed ? " vertices, which enclose nothing" : " vertices, which are no line"),
            region.closed ? "Click three or more" : "Click two or more");
   if (!region.closed && entry.contains("half_width_px")) {
     const nlohmann::json& width = entry["half_width_px"];

@@ -119,7 +119,8 @@ void SourceOptions::validate() const {
   if (crop.x < 0 || crop.y < 0 || crop.width < 0 || crop.height < 0)
     refuse("crop", "has a negative number", "Crop within the picture");
   if (!(pictures_per_second > 0.0) || pictures_per_second > 1000.0)
-    refuse("pictures_per_second", "is " + number_text(pictures_per_second), "Give 0.01 to 1000");
+    refuse("pictures_per_second", "is " + number_text(pictures_per_second),
+           "Give a number from 0.01 to 1000");
   if (!(largest_skew >= 0.0) || largest_skew > 1.0)
     refuse("largest_skew_ms", "is " + number_text(1e3 * largest_skew),
            "Give up to a second; 0 is half a frame");

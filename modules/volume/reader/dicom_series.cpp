@@ -191,15 +191,15 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
   for (std::size_t i = 1; i < slices.size(); ++i) gaps.push_back(slices[i].along_mm - slices[i - 1].along_mm);
   const double usual = upper_median(gaps);
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    std::ostringstream where;
-    where << "between " << slices[i].path.filename().string() << " and "
-          << slices[i + 1].path.filename().string();
+    const std::string before = slices[i].path.filename().string();
+    const std::string behind = slices[i + 1].path.filename().string();
     if (gaps[i] < 1e-2)
-      refuse(request, "slices", "lie at the same place: " + where.str(), "Keep one phase or one copy only");
+      refuse(request, "slices", "lie at the same place: " + before + ", " + behind,
+             "Keep one phase or one copy only");
     // Positions are often rounded to a tenth of a millimetre.
     if (std::abs(gaps[i] - usual) > std::max(0.05 * usual, 0.06)) {
       std::ostringstream problem;
-      problem << "are " << gaps[i] << " mm apart " << where.str() << " and " << usual
+      problem << "are " << gaps[i] << " mm apart between " << before << " and " << behind << " and " << usual
               << " mm elsewhere: a slice is missing or the spacing changes";
       refuse(request, "slices", problem.str(), "Export the whole series again, or resample it");
     }

@@ -87,7 +87,8 @@ int bytes_of_type(const Request& request, int datatype) {
     refuse(request, "datatype", "is that of a colour picture", "Export a volume with one value a voxel");
   const auto known = kBytes.find(datatype);
   if (known == kBytes.end())
-    refuse(request, "datatype", "is " + std::to_string(datatype) + ", a number format that is not known",
+    refuse(request, "datatype",
+           "is \"" + std::to_string(datatype) + "\", which is no number format that is known",
            "Export it as 16-bit integers");
   return known->second;
 }

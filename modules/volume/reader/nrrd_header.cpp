@@ -200,7 +200,7 @@ class NrrdClaim {
     stored.file = place.empty() ? request_.path : file_beside(request_, "data file", place);
     stored.offset = place.empty() ? header_.end : 0;
     if (!skipped("line skip").empty())
-      refuse(request_, "line skip", "is not read", "Write the data without lines before them");
+      refuse(request_, "line skip", "is not read here", "Write the data without lines before them");
     if (const std::string skip = skipped("byte skip"); !skip.empty()) {
       const double bytes = numbers_in(request_, "byte skip", skip, 1).front();
       if (packed_ || bytes < -1.0)

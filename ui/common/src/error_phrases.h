@@ -22,5 +22,11 @@ const std::vector<const char*>& view_problems();
 const std::vector<const char*>& view_remedies();
 const std::vector<const char*>& work_problems();
 const std::vector<const char*>& work_remedies();
+const std::vector<const char*>& file_problems();
+const std::vector<const char*>& file_remedies();
+const std::vector<const char*>& volume_problems();
+const std::vector<const char*>& volume_remedies();
+const std::vector<const char*>& setting_problems();
+const std::vector<const char*>& setting_remedies();
 
 }  // namespace glisson::ui

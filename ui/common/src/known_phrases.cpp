@@ -18,13 +18,15 @@ Phrases joined(std::initializer_list<const Phrases*> tables) {
 
 const Phrases& known_problems() {
   static const Phrases kAll =
-      joined({&general_problems(), &model_problems(), &view_problems(), &work_problems()});
+      joined({&general_problems(), &model_problems(), &view_problems(), &work_problems(), &file_problems(),
+              &volume_problems(), &setting_problems()});
   return kAll;
 }
 
 const Phrases& known_remedies() {
   static const Phrases kAll =
-      joined({&general_remedies(), &model_remedies(), &view_remedies(), &work_remedies()});
+      joined({&general_remedies(), &model_remedies(), &view_remedies(), &work_remedies(), &file_remedies(),
+              &volume_remedies(), &setting_remedies()});
   return kAll;
 }
 

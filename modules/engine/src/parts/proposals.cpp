@@ -43,7 +43,7 @@ json sheet_of(const Proposal& one) {
           {"decision", atlas::decision_code(one.decision)}};
 }
 
-[[noreturn]] void refuse(const std::string& file, const std::string& field, const char* problem) {
+[[noreturn]] void refuse(const std::string& file, const std::string& field, const std::string& problem) {
   throw InputError(file, field, problem,
                    "Remove the file's entry from case.json and transfer the atlas again");
 }
@@ -133,7 +133,7 @@ Transfer read(const std::filesystem::path& path) {
     }
     if (known.empty()) refuse(file, "proposals", "are none");
   } catch (const json::exception& error) {
-    refuse(file, "", error.what());
+    refuse(file, "", std::string("is malformed (") + error.what() + ")");
   }
   return transfer;
 }
