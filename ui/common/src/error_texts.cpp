@@ -100,10 +100,17 @@ struct Match {
   QStringList values;
 };
 
+/// Begins and ends as a phrase with places: most do not, and need no pattern.
+bool may_match(const QString& text, std::string_view words) {
+  return text.startsWith(QLatin1String(words.substr(0, words.find('%')))) &&
+         text.endsWith(QLatin1String(words.substr(std::min(words.size(), words.rfind('%') + 2))));
+}
+
 std::optional<Match> match_of(const QString& text, const std::vector<const char*>& known) {
   for (const char* phrase : known) {
-    const bool is_plain = std::string_view(phrase).find('%') == std::string_view::npos;
-    if (is_plain && text != QLatin1String(phrase)) continue;
+    const std::string_view words(phrase);
+    const bool is_plain = words.find('%') == std::string_view::npos;
+    if (is_plain ? text != QLatin1String(phrase) : !may_match(text, words)) continue;
     const auto values = is_plain ? QStringList() : values_in(text, phrase);
     if (values) return Match{phrase, *values};
   }
