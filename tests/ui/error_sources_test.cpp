@@ -8,7 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/ui/common/error_texts.h"
-#include "thrown_sentences.h"
+#include "thrown_helpers.h"
 
 namespace glisson {
 
@@ -83,26 +83,33 @@ class ErrorSourcesTest : public QObject {
   void WhatIsThrownIsKnown();
   void SourcesAreReadAsTheCompilerDoes();
   void UnknownOnesAreFound();
+  void HelpersAreSeenThrough_data();
+  void HelpersAreSeenThrough();
+  void HelpersOfOthersAreNotTaken();
 };
 
 void ErrorSourcesTest::WhatIsThrownIsKnown() {
   const fs::path root = qEnvironmentVariable("GLISSON_SOURCE_DIR").toStdString();
-  QString offences;
-  int calls = 0;
+  thrown::Sources sources;
   for (const char* part : {"modules", "app"})
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
       const std::string file = fs::relative(entry.path(), root).generic_string();
       const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
-      if (!is_source || is_internal(file)) continue;
-      const QString code = thrown::plain(QString::fromStdString(read_file(entry.path())));
-      for (const thrown::Call& call :
-           thrown::calls_in(code, QStringLiteral("InputError|FileError|UsageError"))) {
-        ++calls;
-        for (const QString& text : unknown_in(call))
-          offences += QString::fromStdString(file) + ": " + text + '\n';
-      }
+      if (is_source && !is_internal(file))
+        sources.add(QString::fromStdString(file), QString::fromStdString(read_file(entry.path())));
     }
-  QVERIFY2(calls > 500, qPrintable(QString::number(calls)));
+  sources.find_helpers();
+  QString offences;
+  int direct = 0, through_helpers = 0;
+  std::set<QString> seen;  // the same is asked once
+  for (const QString& path : sources.paths())
+    for (const thrown::Call& call : sources.throws_in(path)) {
+      ++(call.is_through_helper ? through_helpers : direct);
+      if (!seen.insert(call.arguments.join(QLatin1Char(','))).second) continue;
+      for (const QString& text : unknown_in(call)) offences += path + ": " + text + '\n';
+    }
+  QVERIFY2(direct > 500, qPrintable(QString::number(direct)));
+  QVERIFY2(through_helpers > 500, qPrintable(QString::number(through_helpers)));
   QVERIFY2(offences.isEmpty(),
            qPrintable("not in the tables of ui/common/src/error_phrases*.cpp:\n" + offences));
 }
@@ -134,6 +141,74 @@ void ErrorSourcesTest::UnknownOnesAreFound() {
   QCOMPARE(unknown("FileError(f + \": cannot be opened (\" + why + \"). Check the path.\")"), QStringList());
   QCOMPARE(unknown("FileError(f + \": cannot be opened (\" + why + \"). Wonder at it.\")").size(), 1);
   QCOMPARE(unknown("UsageError(\"--x: is a marvel.\")").size(), 1);
+}
+
+namespace {
+
+/// What is not known in the last of some sources.
+QStringList unknown_in_last(const std::vector<std::pair<const char*, const char*>>& files) {
+  thrown::Sources sources;
+  for (const auto& [path, source] : files) sources.add(QLatin1String(path), QString::fromUtf8(source));
+  sources.find_helpers();
+  QStringList unknown;
+  for (const thrown::Call& call : sources.throws_in(QLatin1String(files.back().first)))
+    if (call.is_through_helper) unknown << unknown_in(call);
+  return unknown;
+}
+
+}  // namespace
+
+void ErrorSourcesTest::HelpersAreSeenThrough_data() {
+  QTest::addColumn<QString>("source");
+  QTest::newRow("a function") << R"(
+    [[noreturn]] void refuse(const std::string& file, const char* problem) {
+      throw InputError(file, "", problem, "Check the path");
+    }
+    void read() { if (a < b) refuse(name, "is missing"); else refuse(name, n > 1 ? "is a marvel" : "is empty"); })";
+  QTest::newRow("a member with a remedy of its own") << R"(
+    class File {
+      void refuse(const std::string& problem, const std::string& remedy = kExport) const {
+        throw InputError(name_, "", problem, remedy);
+      }
+      int read() const { file.refuse("is missing"); this->refuse("is a marvel", "Check the path"); }
+      static constexpr const char* kExport = "Check the path";
+    };)";
+  QTest::newRow("a lambda") << R"(
+    int read(const std::map<std::string, int>& all) {
+      const auto fail = [&](const std::string& problem) -> void { throw FileError(f + ": " + problem + ". Check the path."); };
+      fail("is a marvel");
+    })";
+  QTest::newRow("a helper of a helper") << R"(
+    void fail(const std::string& problem, const std::string& remedy) { throw InputError(f, g, problem, remedy); }
+    void fail(const std::string& problem) { fail(problem, "Check the path"); }
+    void read() { fail("is a marvel"); })";
+  QTest::newRow("values that are called") << R"(
+    struct Refusal {
+      void operator()(const char* field, const std::string& problem) const { throw InputError(f, field, problem, remedy); }
+    };
+    constexpr Refusal refuse{"Check the path"};
+    void read() { refuse("size", "is a marvel"); })";
+}
+
+void ErrorSourcesTest::HelpersAreSeenThrough() {
+  QFETCH(QString, source);
+  const QByteArray text = source.toUtf8();
+  const QStringList unknown = unknown_in_last({{"modules/a/src/a.cpp", text.constData()}});
+  QCOMPARE(unknown.size(), 1);
+  QVERIFY2(unknown[0].contains(QLatin1String("is a marvel")), qPrintable(unknown[0]));
+}
+
+void ErrorSourcesTest::HelpersOfOthersAreNotTaken() {
+  const char* header =
+      "class A { [[noreturn]] void fail(const char* problem, const char* remedy = \"\") const; };";
+  const char* body =
+      "#include \"a.h\"\n"
+      "void A::fail(const char* problem, const char* remedy) const { throw InputError(f, g, problem, "
+      "remedy); }";
+  const std::pair<const char*, const char*> a{"modules/a/src/a.h", header}, b{"modules/a/src/a.cpp", body};
+  const char* caller = "#include \"a.h\"\nvoid read(A& a) { a.fail(\"is a marvel\"); }";
+  QCOMPARE(unknown_in_last({a, b, {"modules/a/src/c.cpp", caller}}).size(), 1);
+  QCOMPARE(unknown_in_last({a, b, {"modules/b/src/c.cpp", caller}}), QStringList());
 }
 
 }  // namespace glisson

@@ -18,6 +18,8 @@ inline const QString kValue = QStringLiteral("7");
 struct Call {
   QString name;
   QStringList arguments;
+  qsizetype at = 0;  ///< in the code
+  bool is_through_helper = false;
 };
 
 /// The literal that begins at `at`, quotes included.
@@ -84,7 +86,7 @@ inline std::vector<Call> calls_in(const QString& code, const QString& names) {
   std::vector<Call> calls;
   for (auto match = name.globalMatch(code); match.hasNext();) {
     const QRegularExpressionMatch begin = match.next();
-    Call call{begin.captured(1), {}};
+    Call call{begin.captured(1), {}, begin.capturedStart()};
     for (const QString& part : parts_of(code.mid(begin.capturedEnd(), 4000), QStringLiteral(",")))
       if (part != QLatin1String(",")) call.arguments << part.trimmed();
     calls.push_back(call);
