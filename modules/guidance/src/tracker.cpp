@@ -183,8 +183,10 @@ struct Tracker::Impl {
   }
 
   void look_for_organ(const StereoFrame& frame, Validity validity) {
-    const bool is_lost = validity == Validity::too_few_points || validity == Validity::masked_out ||
-                         validity == Validity::inconsistent_motion ||
+    // In views that are lost or swapped nothing can be found; a farther or dimmer one may still show the
+    // organ.
+    const bool is_lost = validity == Validity::too_few_points || validity == Validity::picture_lost ||
+                         validity == Validity::masked_out || validity == Validity::inconsistent_motion ||
                          validity == Validity::residual_too_large || validity == Validity::surface_apart;
     // What was found is not looked for again before surfaces have said whether it is right.
     const bool is_examined = judge && judge->is_undecided() && validity == Validity::surface_apart;
