@@ -45,7 +45,7 @@ RenderView::RenderView(QWidget* parent)
   impl_->window->AddRenderer(&patient_->renderer());
   impl_->interactor->SetRenderWindow(impl_->window);
   impl_->interactor->SetInteractorStyle(impl_->style);
-  // Drawing happens in paintGL only; the interactor's renders become updates.
+  // Drawing happens in paintEvent only; the interactor's renders become updates.
   impl_->interactor->EnableRenderOff();
   impl_->interactor->Initialize();
   setMinimumSize(120, 100);
