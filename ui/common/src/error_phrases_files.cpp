@@ -6,6 +6,8 @@
 
 namespace glisson::ui {
 
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): few phrases are longer than a line
+
 const std::vector<const char*>& file_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not an object"),
@@ -257,5 +259,7 @@ const std::vector<const char*>& file_remedies() {
   };
   return kPhrases;
 }
+
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 }  // namespace glisson::ui

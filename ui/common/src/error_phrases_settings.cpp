@@ -6,6 +6,8 @@
 
 namespace glisson::ui {
 
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): few phrases are longer than a line
+
 const std::vector<const char*>& setting_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not %1 x %2"),
@@ -121,5 +123,7 @@ const std::vector<const char*>& setting_remedies() {
   };
   return kPhrases;
 }
+
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 }  // namespace glisson::ui

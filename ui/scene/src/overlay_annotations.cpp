@@ -81,7 +81,8 @@ void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity 
   const QRect words = QFontMetrics(font).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
   QRect more = QFontMetrics(small).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, remedy);
   const int height = words.height() + 2 * layout.margin;
-  const double top = std::max(layout.size.height() / 6.0 - height / 2, 4.0 * layout.margin);
+  const int half = height / 2;
+  const double top = std::max(layout.size.height() / 6.0 - half, 4.0 * layout.margin);
   if (top + height + more.height() > 0.45 * layout.size.height()) more = QRect();
   QRectF box(0, 0, std::max(words.width(), more.width()) + 4 * layout.margin, height + more.height());
   box.moveLeft((layout.size.width() - box.width()) / 2);
