@@ -6759,8 +6759,8 @@
         <translation>eine der beiden Ansichten zeigt nichts</translation>
     </message>
     <message>
-        <source>left and right view are swapped</source>
-        <translation>linke und rechte Ansicht sind vertauscht</translation>
+        <source>left and right view seem to be swapped</source>
+        <translation>linke und rechte Ansicht scheinen vertauscht zu sein</translation>
     </message>
     <message>
         <source>too little can be made out in the picture</source>
@@ -6771,8 +6771,8 @@
         <translation>Prüfen Sie die Kamera, die nichts zeigt, und ihr Kabel.</translation>
     </message>
     <message>
-        <source>Connect the two cameras the other way round, or open their videos in the other order.</source>
-        <translation>Schließen Sie die beiden Kameras umgekehrt an, oder öffnen Sie ihre Videos in der anderen Reihenfolge.</translation>
+        <source>Check that the two cameras, or their videos, are in the right order.</source>
+        <translation>Prüfen Sie, ob die beiden Kameras oder ihre Videos in der richtigen Reihenfolge sind.</translation>
     </message>
     <message>
         <source>Clear the smoke, wipe the lens, check lamp and focus.</source>

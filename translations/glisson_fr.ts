@@ -6759,8 +6759,8 @@
         <translation>l’une des deux vues ne montre rien</translation>
     </message>
     <message>
-        <source>left and right view are swapped</source>
-        <translation>les vues gauche et droite sont inversées</translation>
+        <source>left and right view seem to be swapped</source>
+        <translation>les vues gauche et droite semblent inversées</translation>
     </message>
     <message>
         <source>too little can be made out in the picture</source>
@@ -6771,8 +6771,8 @@
         <translation>Vérifiez la caméra qui ne montre rien, et son câble.</translation>
     </message>
     <message>
-        <source>Connect the two cameras the other way round, or open their videos in the other order.</source>
-        <translation>Branchez les deux caméras dans l’autre sens, ou ouvrez leurs vidéos dans l’autre ordre.</translation>
+        <source>Check that the two cameras, or their videos, are in the right order.</source>
+        <translation>Vérifiez que les deux caméras, ou leurs vidéos, sont dans le bon ordre.</translation>
     </message>
     <message>
         <source>Clear the smoke, wipe the lens, check lamp and focus.</source>

@@ -2,6 +2,7 @@
 // What is judged of the pictures themselves: their contrast, both views of one moment, motion, and copies.
 #include <QtTest>
 
+#include "few_points.h"
 #include "glisson/guidance/tracker.h"
 #include "judge.h"
 #include "judged_film.h"
@@ -20,6 +21,7 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
   void WhatIsWrongFromTheFirstIsNoNorm();
   void NoiseIsNoMotionAndBreathIs_data();
   void NoiseIsNoMotionAndBreathIs();
+  void OnlyAnOrderThatStereoTellsIsToldAsWrong();
   void StandingPictureIsWithdrawn();
   void AStillPictureIsToldFromACopy_data();
   void AStillPictureIsToldFromACopy();
@@ -135,6 +137,23 @@ void JudgePictureTest::NoiseIsNoMotionAndBreathIs() {
     QVERIFY2(left > limit && right > limit, found);
   else
     QVERIFY2(left > 0.4 && left < 0.7 * limit && right > 0.4 && right < 0.7 * limit, found);
+}
+
+void JudgePictureTest::OnlyAnOrderThatStereoTellsIsToldAsWrong() {
+  // Cameras that squint at the organ see it without any disparity: either order looks like a scene.
+  for (const double squint : {0.0, 0.05}) {
+    StereoRig rig = phantom::rig();
+    rig.right_from_left.rotation = Eigen::AngleAxisd(squint, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    StereoFrame frame = phantom::film(model_, nodes_, rig, 0);
+    FewPoints few(rig, frame, {});
+    QVERIFY(few.reason(frame, {}) == Validity::too_few_points);
+    std::swap(frame.left, frame.right);
+    FrameClock later;
+    for (const double seconds : {0.0, 1.0}) later.tick(seconds);
+    const Validity told = few.reason(frame, later);
+    QVERIFY2(told == (squint == 0.0 ? Validity::views_swapped : Validity::too_few_points),
+             validity_code(told));
+  }
 }
 
 void JudgePictureTest::StandingPictureIsWithdrawn() {

@@ -61,6 +61,15 @@ scene::SurfaceLayer drawn(const scene::SurfaceRaster& raster, const Points& vert
   return layer;
 }
 
+/// The triangles that begin so far from the camera.
+Triangles beyond(const TriangleMesh& mesh, double z) {
+  Triangles kept(mesh.triangles.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    if (mesh.vertices(mesh.triangles(t, 0), 2) > z) kept.row(count++) = mesh.triangles.row(t);
+  return kept.topRows(count);
+}
+
 }  // namespace
 
 class SurfaceRasterTest : public QObject {
@@ -234,7 +243,7 @@ void SurfaceRasterTest::BacksThatAreHiddenNeedNoDrawing() {
     for (std::size_t i = 0; i < both.kind.size(); ++i)
       other += both.kind[i] != one.kind[i] || both.inverse_depth[i] != one.inverse_depth[i];
     QVERIFY2(other <= 2, qPrintable(QStringLiteral("%1 pixels").arg(other)));  // on the rim
-    // Only half of it was drawn: of a far ball behind a near one's missing half something would be seen.
+    // What is left out is left out: wound the other way round, the far half alone is drawn.
     scene::SidedTriangles away = sided;
     away.triangles.col(1).swap(away.triangles.col(2));
     const scene::SurfaceLayer back = drawn(raster, mesh.vertices, away);
@@ -247,19 +256,21 @@ void SurfaceRasterTest::BacksThatAreHiddenNeedNoDrawing() {
 void SurfaceRasterTest::BacksAreDrawnWhereTheyAreSeen() {
   const scene::SurfaceRaster raster(laparoscope(kHalf));
   const TriangleMesh ball = ball_mesh({0.0, 0.0, 0.12}, 0.03, 40);
-  // Its near cap is cut away: one looks at the inside of the far one.
-  Triangles cup(ball.triangles.rows(), 3);
-  Eigen::Index count = 0;
-  for (Eigen::Index t = 0; t < ball.triangles.rows(); ++t)
-    if (ball.vertices(ball.triangles(t, 0), 2) > 0.125) cup.row(count++) = ball.triangles.row(t);
-  cup.conservativeResize(count, 3);
+  // All but a far cap is cut away: one looks at its inside, which is turned away.
+  const Triangles cup = beyond(ball, 0.145);
   const scene::SidedTriangles sided = scene::sort_by_sides(ball, cup);
-  QCOMPARE(sided.triangles.rows(), count);
-  QVERIFY2(sided.one_sided < count, "near the rim both sides are drawn");
+  QCOMPARE(sided.triangles.rows(), cup.rows());
+  QCOMPARE(sided.one_sided, Eigen::Index{0});  // all is near its rim
   scene::SurfaceLayer all = raster.layer();
   raster.draw(ball.vertices, cup, 3, all);
   const scene::SurfaceLayer one = drawn(raster, ball.vertices, sided);
-  QVERIFY(one.touched.top == all.touched.top && one.touched.bottom() == all.touched.bottom());
+  QVERIFY(std::count(all.kind.begin(), all.kind.end(), std::uint8_t{3}) > 1000);
+  QVERIFY(one.kind == all.kind && one.inverse_depth == all.inverse_depth);
+  // So far one looks into it, and not farther (some rings): in the middle of a deep cup nothing is drawn.
+  const scene::SidedTriangles deep = scene::sort_by_sides(ball, beyond(ball, 0.105));
+  const scene::SurfaceLayer seen = drawn(raster, ball.vertices, deep);
+  const std::size_t middle = seen.at(seen.height / 2, seen.touched.left + seen.touched.width / 2);
+  QVERIFY(seen.kind[middle] == 0 && deep.one_sided > 0);
   // An open whole, and one that is wound in two ways, are drawn from both sides everywhere.
   QCOMPARE(scene::sort_by_sides({ball.vertices, cup}, cup).one_sided, Eigen::Index{0});
   TriangleMesh torn = ball;

@@ -9,33 +9,34 @@
 namespace glisson::guidance {
 namespace {
 
-constexpr int kWidth = 320, kStep = 8;       ///< of the reduced pictures, and of the grid there
-constexpr double kNear = 0.04, kFar = 0.30;  ///< metres
-constexpr double kGone = 0.1;                ///< of a view's detail: less is no picture
-constexpr double kLookEvery = 0.3;           ///< seconds between two looks at whether the views are swapped
-/// Of the places that stereo saw at the start, what it sees in the other order; and how many times as much as
-/// in this one, where what repeats is matched by chance.
+constexpr int kWidth = 320, kStep = 8;  ///< of the reduced pictures, and of the grid there
+constexpr double kGone = 0.1;           ///< of a view's detail: less is no picture
+constexpr double kLookEvery = 0.3;      ///< seconds between two looks at whether the views are swapped
+/// Of the places that stereo saw at the start, what it sees at least; and how many times as much as in the
+/// other order, where what repeats is matched by chance.
 constexpr double kSeen = 0.4, kTimes = 2.0;
-
-double detail_of(const Picture& picture, const JudgeOptions& options) {
-  return std::max(options.least_signal, measure(picture).signal());
-}
 
 }  // namespace
 
 FewPoints::FewPoints(const StereoRig& rig, const StereoFrame& first, const JudgeOptions& options)
     : options_(options),
-      stereo_(rig, kWidth, kStep, kNear, kFar),
-      left_(detail_of(first.left, options)),
-      right_(detail_of(first.right, options)),
-      seen_(stereo_.see(first.left, first.right).size()) {}
+      stereo_(rig, kWidth, kStep, SmallStereo::kNear, SmallStereo::kFar),
+      left_(signal_at_start(first.left, options.least_signal)),
+      right_(signal_at_start(first.right, options.least_signal)),
+      seen_(stereo_.see(first.left, first.right).size()),
+      tells_order_(fits(first.left, first.right)) {}
+
+bool FewPoints::fits(const Picture& left, const Picture& right) {
+  const auto seen = static_cast<double>(stereo_.see(left, right).size());
+  return seen > kSeen * static_cast<double>(seen_) &&
+         seen > kTimes * static_cast<double>(stereo_.see(right, left).size());
+}
 
 bool FewPoints::are_swapped(const StereoFrame& frame, const FrameClock& clock) {
+  if (!tells_order_) return false;
   if (looked_ >= 0.0 && !clock.is_due(looked_, kLookEvery)) return swapped_;
   looked_ = clock.now();
-  const auto as_it_is = static_cast<double>(stereo_.see(frame.left, frame.right).size()),
-             swapped = static_cast<double>(stereo_.see(frame.right, frame.left).size());
-  swapped_ = swapped > kSeen * static_cast<double>(seen_) && swapped > kTimes * as_it_is;
+  swapped_ = fits(frame.right, frame.left);
   return swapped_;
 }
 

@@ -20,12 +20,15 @@ class FewPoints {
   Validity reason(const StereoFrame& frame, const FrameClock& clock);
 
  private:
+  /// Whether stereo sees this order so much better than the other one that the order is beyond doubt.
+  bool fits(const Picture& left, const Picture& right);
   bool are_swapped(const StereoFrame& frame, const FrameClock& clock);
 
   JudgeOptions options_;
   SmallStereo stereo_;
   double left_ = 1.0, right_ = 1.0;  ///< detail over noise at the start
   std::size_t seen_ = 0;             ///< places that stereo saw at the start
+  bool tells_order_ = false;         ///< at the start it did: with cameras that squint it need not
   double looked_ = -1.0;             ///< seconds of the clock; negative: not yet
   bool swapped_ = false;
 };

@@ -72,8 +72,7 @@ struct Judge::Impl {
     is_misplaced = false;
     motion = {};
     noise = {};
-    // A picture that begins in smoke or the dark is no norm.
-    first_signal = std::max(options.least_signal, measure(first.left).signal());
+    first_signal = signal_at_start(first.left, options.least_signal);
     shape = nodes;
     tissue.clear();
     const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);

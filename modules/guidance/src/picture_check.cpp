@@ -49,6 +49,10 @@ Block look_at(const Picture& picture, int left, int top) {
 
 double PictureMeasures::signal() const { return detail / std::max(noise, kLeastNoise); }
 
+double signal_at_start(const Picture& first, double least) {
+  return std::max(least, measure(first).signal());
+}
+
 PictureMeasures measure(const Picture& picture) {
   constexpr int kStep = 2 * kBlock;  // every second block, with its neighbour to the right
   std::vector<double> means;

@@ -16,5 +16,7 @@ struct PictureMeasures {
 /// Measured on blocks of 4 x 4 pixels of the green channel (or of a grey picture), highlights left out. About
 /// a millisecond at 960 x 540. @pre not empty.
 PictureMeasures measure(const Picture& picture);
+/// What later pictures are compared with: a picture that begins in smoke or the dark is no norm.
+double signal_at_start(const Picture& first, double least);
 
 }  // namespace glisson::guidance

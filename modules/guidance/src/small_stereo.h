@@ -22,6 +22,9 @@ struct SeenPoint {
 /// grid. It knows nothing of any model or of former frames. Not thread-safe.
 class SmallStereo {
  public:
+  /// Metres along z between which a laparoscope sees an organ.
+  static constexpr double kNear = 0.04, kFar = 0.30;
+
   /// @param width of the reduced pictures, pixels. @param step of the grid, in those pixels.
   /// @param near, far metres along z.
   SmallStereo(const StereoRig& rig, int width, int step, double near, double far);

@@ -18,8 +18,7 @@
 namespace glisson::guidance {
 namespace {
 
-constexpr int kWidth = 640, kStep = 10;      ///< of the reduced pictures, and of the grid there
-constexpr double kNear = 0.04, kFar = 0.30;  ///< metres
+constexpr int kWidth = 640, kStep = 10;  ///< of the reduced pictures, and of the grid there
 /// What a right overlay may be off the surface besides stereo's own error, metres: what registration and
 /// coarse mechanics leave.
 constexpr double kModelSigma = 1.5e-3;
@@ -72,7 +71,7 @@ struct SurfaceCheck::Impl {
   Impl(const PatientModel& model, const StereoRig& rig, const Picture& mask_of_left)
       : surface(model, registration::SurfaceDetail::fine),
         in_shape(surface),
-        stereo(rig, kWidth, kStep, kNear, kFar),
+        stereo(rig, kWidth, kStep, SmallStereo::kNear, SmallStereo::kFar),
         mask(mask_of_left) {
     allowed.resize(static_cast<std::size_t>(stereo.columns() * stereo.rows()));
     for (int r = 0; r < stereo.rows(); ++r)

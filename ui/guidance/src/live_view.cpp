@@ -15,7 +15,7 @@
 namespace glisson::ui {
 namespace {
 
-constexpr int kLinesHeight = 46;  ///< two lines of the live view's words, pixels
+constexpr int kLinesHeight = 56;  ///< three lines of the live view's words, pixels
 
 }  // namespace
 
@@ -49,7 +49,8 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   auto* line = new QLabel(this);
   line->setProperty("role", "probe");
   line->setContentsMargins(10, 4, 10, 4);
-  // A reason takes a second line on small screens: there is always room for it, so that nothing jumps.
+  // A reason takes a second line on small screens, in German a third: there is always room for it, so that
+  // nothing jumps.
   line->setWordWrap(true);
   line->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   line->setMinimumHeight(kLinesHeight);

@@ -63,7 +63,11 @@ void draw_margin(QPainter& painter, const Layout& layout, const std::vector<Eige
   QPolygonF line;
   for (const Eigen::Vector2d& p : margin) line << QPointF(p.x() + 0.5, p.y() + 0.5);
   draw_dashes(painter, line, false,
-              {QColor(240, 240, 240, 210), QColor(0, 0, 0, 120), layout.text / 4.0, 0.75, 4.0, 2.0});
+              {.colour = QColor(240, 240, 240, 210),
+               .below = QColor(0, 0, 0, 120),
+               .width = layout.text / 4.0,
+               .rim = 0.75,
+               .off = 2.0});
 }
 
 void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity validity) {
@@ -103,7 +107,9 @@ void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity 
 void draw_region(QPainter& painter, const Layout& layout, Label lesion, const QPolygonF& region) {
   if (region.isEmpty()) return;
   const double width = std::max(1.5, layout.text / 7.0);
-  draw_dashes(painter, region, true, {colour_of(lesion), QColor(0, 0, 0, 170), width, 1.0, 4.0, 3.0, true});
+  draw_dashes(
+      painter, region, true,
+      {.colour = colour_of(lesion), .below = QColor(0, 0, 0, 170), .width = width, .is_whole_below = true});
 }
 
 /// Whose region it is, and how far it reaches, beside it where no other words stand.

@@ -50,7 +50,7 @@ class Overlay {
       case Validity::view_lost:
         return tr("one of the two views shows nothing");
       case Validity::views_swapped:
-        return tr("left and right view are swapped");
+        return tr("left and right view seem to be swapped");
       case Validity::picture_lost:
         return tr("too little can be made out in the picture");
     }
@@ -92,7 +92,7 @@ class Overlay {
       case Validity::view_lost:
         return tr("Check the camera that shows nothing, and its cable.");
       case Validity::views_swapped:
-        return tr("Connect the two cameras the other way round, or open their videos in the other order.");
+        return tr("Check that the two cameras, or their videos, are in the right order.");
       case Validity::picture_lost:
         return tr("Clear the smoke, wipe the lens, check lamp and focus.");
       case Validity::mostly_masked:

@@ -71,10 +71,15 @@ ScreenCorner on_screen(const RasterCorner& corner) {
   return {corner.pixel.x(), corner.pixel.y(), static_cast<float>(1.0 / corner.p.z()), corner.facing};
 }
 
+/// On the picture, whose rows run downwards: positive when it is walked around with the clock.
+float twice_the_area(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
 /// One edge of a triangle: where it bounds a row.
-struct Edge {
+struct RowBound {
   /// @param right, down how the opposite corner's share grows a pixel to the right and down. Zero at (x, y).
-  Edge(float right, float down, float x, float y) : y_(y), down_(down), side_(right) {
+  RowBound(float right, float down, float x, float y) : y_(y), down_(down), side_(right) {
     if (right == 0.0F) return;
     const float columns = 1.0F / right;  // to walk until the share has grown by one
     start_ = x + kRim * columns;
@@ -99,7 +104,7 @@ struct Edge {
 /// Fills a band's rows of one small triangle. Pixel centres are whole numbers.
 void fill_small(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c, std::uint8_t kind,
                 const RowBand& band, SurfaceLayer& layer, PixelBox& touched) {
-  const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  const float area = twice_the_area(a, b, c);
   if (!(std::abs(area) > 1e-6F)) return;
   // Limited before they are whole numbers: a corner may lie far beside the picture.
   const int left = up(std::max(0.0F, least(a.x, b.x, c.x)));
@@ -113,8 +118,9 @@ void fill_small(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner
   const float a_right = (b.y - c.y) * scale, a_down = (c.x - b.x) * scale;
   const float b_right = (c.y - a.y) * scale, b_down = (a.x - c.x) * scale;
   const float c_right = (a.y - b.y) * scale, c_down = (b.x - a.x) * scale;
-  const std::array<Edge, 3> edges = {Edge(a_right, a_down, b.x, b.y), Edge(b_right, b_down, c.x, c.y),
-                                     Edge(c_right, c_down, a.x, a.y)};
+  const std::array<RowBound, 3> edges = {RowBound(a_right, a_down, b.x, b.y),
+                                         RowBound(b_right, b_down, c.x, c.y),
+                                         RowBound(c_right, c_down, a.x, a.y)};
   const auto slope = [](float of_a, float of_b, float of_c, float at_a, float at_b, float at_c) {
     return of_a * at_a + of_b * at_b + of_c * at_c;
   };
@@ -126,7 +132,7 @@ void fill_small(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner
   for (int y = top; y <= bottom; ++y) {
     const auto row = static_cast<float>(y);
     float from = static_cast<float>(left), to = static_cast<float>(right);
-    for (const Edge& edge : edges) edge.bound(row, from, to);
+    for (const RowBound& edge : edges) edge.bound(row, from, to);
     if (!(from <= to)) continue;
     const int first = up(from), last = down(to);
     const float columns = static_cast<float>(first) - a.x, rows = row - a.y;
@@ -241,7 +247,7 @@ class SurfaceRaster::BandFiller {
  private:
   /// Wound outwards, a triangle is walked around against the clock where it is seen from outside.
   static bool is_turned_away(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
-    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) > 0.0F;
+    return twice_the_area(a, b, c) > 0.0F;
   }
   static bool is_visible(const ScreenCorner& a, const ScreenCorner& b, const ScreenCorner& c) {
     return a.inverse_depth > 0.0F && b.inverse_depth > 0.0F && c.inverse_depth > 0.0F;

@@ -22,7 +22,8 @@ class LassoLine;
 ///
 /// VTK draws into memory, from where the picture is painted as any other. A QOpenGLWidget would make Qt put
 /// the whole window together by OpenGL at every change of any widget, even while it is hidden: without a
-/// graphics card that costs more than the live overlay itself.
+/// graphics card that costs more than the live overlay itself. The OpenGL is the display's, a card's where
+/// there is one; scene::OffscreenRenderer, which needs no display, may have Mesa's software only.
 class RenderView : public QWidget {
   Q_OBJECT
  public:
@@ -33,7 +34,8 @@ class RenderView : public QWidget {
   static void prepare_surface_format();
 
   scene::PatientScene& patient() { return *patient_; }
-  /// The scene is drawn anew as soon as it is seen. A repaint for any other reason takes the picture there is.
+  /// The scene is drawn anew as soon as it is seen. A repaint for any other reason takes the picture there
+  /// is.
   void update();
   /// What is shown; null: nothing was drawn yet, or this computer has no OpenGL that serves.
   const QImage& picture() const;
