@@ -196,9 +196,15 @@ void TimelineTest::AfterTheEndItIsPlayedAgain() {
   QTRY_COMPARE_WITH_TIMEOUT(guidance_->live.shown_index(), review.last.value(), 20000);
   QVERIFY(guidance_->line().contains(QStringLiteral("not live")));
   review.loops = true;
+  // The last frame stands for some milliseconds only: every change is looked at.
+  bool was_last = false;
+  bool began_again = false;
+  const auto watch = review.position.onValueChanged([&] {
+    began_again = began_again || (was_last && review.position < review.last);
+    was_last = review.position == review.last;
+  });
   review.toggle();
-  QTRY_COMPARE_WITH_TIMEOUT(review.position.value(), review.last.value(), 20000);
-  QTRY_VERIFY_WITH_TIMEOUT(review.position < review.last, 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(began_again, 20000);
   QVERIFY(review.runs);
 }
 
