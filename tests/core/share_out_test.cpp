@@ -20,6 +20,8 @@ class ShareOutTest : public QObject {
   void OneThreadIsTheCallers();
   void TheFailureOfTheLowestPieceIsThrown();
   void NoPieceIsBegunAfterAFailure();
+  void RunsCoverEachPlaceOnce();
+  void AShortRunBeginsNoThread();
 };
 
 void ShareOutTest::EachPieceIsDoneOnce() {
@@ -75,6 +77,28 @@ void ShareOutTest::NoPieceIsBegunAfterAFailure() {
                              if (piece == 3) throw std::runtime_error("at the fourth");
                            }));
   QCOMPARE(begun.load(), 4);
+}
+
+void ShareOutTest::RunsCoverEachPlaceOnce() {
+  for (const std::size_t count : {0, 1, 15, 16, 17, 1000})
+    for (const std::size_t least : {0, 1, 7, 5000}) {
+      std::vector<int> done(count, 0);
+      std::atomic<bool> is_long_enough{true};
+      share_out_runs(count, least, [&](std::size_t first, std::size_t end) {
+        if (end - first < least && end != count) is_long_enough = false;
+        for (std::size_t at = first; at < end; ++at) ++done[at];
+      });
+      QCOMPARE(done, std::vector<int>(count, 1));
+      QVERIFY(is_long_enough);
+    }
+}
+
+void ShareOutTest::AShortRunBeginsNoThread() {
+  bool is_callers = false;
+  share_out_runs(100, 100, [&, caller = std::this_thread::get_id()](std::size_t, std::size_t) {
+    is_callers = std::this_thread::get_id() == caller;
+  });
+  QVERIFY(is_callers);
 }
 
 QTEST_APPLESS_MAIN(ShareOutTest)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/core/share_out.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -37,6 +38,15 @@ void share_out(std::size_t pieces, int threads,
   if (beside.joinable()) beside.join();
   const Failure& first = own.error && (!others.error || own.piece < others.piece) ? own : others;
   if (first.error) std::rethrow_exception(first.error);
+}
+
+void share_out_runs(std::size_t count, std::size_t least,
+                    const std::function<void(std::size_t first, std::size_t end)>& work) {
+  // Several runs a thread, so that one which has less to do takes more of them.
+  constexpr std::size_t kMost = 16;
+  const std::size_t length = std::max({std::size_t{1}, least, (count + kMost - 1) / kMost});
+  share_out((count + length - 1) / length, 2,
+            [&](std::size_t piece, bool) { work(piece * length, std::min(count, (piece + 1) * length)); });
 }
 
 }  // namespace glisson

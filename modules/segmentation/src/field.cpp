@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/core/share_out.h"
+
 namespace glisson::segmentation {
 namespace {
+
+constexpr std::size_t kLeastRun = 30000;  // samples that take longer than to begin a thread
 
 /// Weighted sources of one output sample along an axis.
 struct Tap {
@@ -33,32 +37,67 @@ std::vector<Tap> triangle_taps(int low, int high, double first, double step, int
   return taps;
 }
 
+/// Neighbouring samples that weigh their sources alike, each a source further than the one before it.
+struct TapRun {
+  std::size_t first = 0, count = 0;
+};
+
+std::vector<TapRun> runs_of(const std::vector<Tap>& taps) {
+  std::vector<TapRun> runs;
+  for (std::size_t n = 0; n < taps.size(); ++n) {
+    const bool goes_on =
+        n > 0 && taps[n].first == taps[n - 1].first + 1 && taps[n].weights == taps[n - 1].weights;
+    if (goes_on)
+      ++runs.back().count;
+    else
+      runs.push_back({n, 1});
+  }
+  return runs;
+}
+
 /// Applies taps along `axis` of a volume; taps index from `base`.
 std::vector<float> apply_taps(const std::vector<float>& in, const Eigen::Vector3i& size, int axis, int base,
                               const std::vector<Tap>& taps) {
   Eigen::Vector3i out_size = size;
   out_size[axis] = static_cast<int>(taps.size());
   const auto nx = static_cast<std::size_t>(size.x()), ny = static_cast<std::size_t>(size.y());
-  const std::array<std::size_t, 3> strides = {1, nx, nx * ny};
-  const std::size_t stride = strides[static_cast<std::size_t>(axis)];
-  std::vector<float> out(static_cast<std::size_t>(out_size.x()) * static_cast<std::size_t>(out_size.y()) *
-                         static_cast<std::size_t>(out_size.z()));
-  std::size_t at = 0;
-  for (int k = 0; k < out_size.z(); ++k)
-    for (int j = 0; j < out_size.y(); ++j)
-      for (int i = 0; i < out_size.x(); ++i, ++at) {
-        Eigen::Vector3i v(i, j, k);
-        const Tap& tap = taps[static_cast<std::size_t>(v[axis])];
-        v[axis] = tap.first - base;
-        std::size_t from = static_cast<std::size_t>(v.x()) +
-                           nx * (static_cast<std::size_t>(v.y()) + ny * static_cast<std::size_t>(v.z()));
-        float sum = 0.0F;
-        for (const float w : tap.weights) {
-          sum += w * in[from];
-          from += stride;
-        }
-        out[at] = sum;
-      }
+  const auto row = static_cast<std::size_t>(out_size.x()), rows = static_cast<std::size_t>(out_size.y()),
+             slices = static_cast<std::size_t>(out_size.z());
+  std::vector<float> out(row * rows * slices);
+  const std::vector<TapRun> runs = runs_of(taps);
+  const auto add = [](float* to, const float* from, float weight, std::size_t count) {
+    const auto length = static_cast<Eigen::Index>(count);
+    Eigen::Map<Eigen::ArrayXf>(to, length) += weight * Eigen::Map<const Eigen::ArrayXf>(from, length);
+  };
+  /// One row of the result, from the first of its sources.
+  const auto along = [&](float* to, const float* from) {
+    for (const TapRun& run : runs) {
+      const Tap& tap = taps[run.first];
+      const float* source = from + (tap.first - base);
+      for (const float w : tap.weights) add(to + run.first, source++, w, run.count);
+    }
+  };
+  /// The same across rows that lie `stride` apart.
+  const auto across = [&](float* to, const float* from, const Tap& tap, std::size_t stride) {
+    from += static_cast<std::size_t>(tap.first - base) * stride;
+    for (const float w : tap.weights) {
+      add(to, from, w, row);
+      from += stride;
+    }
+  };
+  share_out_runs(rows * slices, kLeastRun / std::max(std::size_t{1}, row),
+                 [&](std::size_t first, std::size_t end) {
+                   for (std::size_t n = first; n < end; ++n) {
+                     const std::size_t j = n % rows, k = n / rows;
+                     float* to = out.data() + n * row;
+                     if (axis == 0)
+                       along(to, in.data() + nx * (j + ny * k));
+                     else if (axis == 1)
+                       across(to, in.data() + nx * ny * k, taps[j], nx);
+                     else
+                       across(to, in.data() + nx * j, taps[k], nx * ny);
+                   }
+                 });
   return out;
 }
 
@@ -122,24 +161,29 @@ std::vector<float> on_image(const Field& field, const VoxelBox& box) {
       const int cell = std::min(static_cast<int>(x), std::max(0, field.size[axis] - 2));
       places[static_cast<std::size_t>(axis)].emplace_back(cell, static_cast<float>(x - cell));
     }
-  std::vector<float> values;
-  values.reserve(static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
-                 static_cast<std::size_t>(size.z()));
+  const auto slice = static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y());
+  std::vector<float> values(slice * static_cast<std::size_t>(size.z()));
   const std::size_t dx = field.size.x() > 1 ? 1 : 0,
                     dy = field.size.y() > 1 ? static_cast<std::size_t>(field.size.x()) : 0,
                     dz = field.size.z() > 1 ? static_cast<std::size_t>(field.size.x()) *
                                                   static_cast<std::size_t>(field.size.y())
                                             : 0;
-  for (const auto& [k, c] : places[2])
-    for (const auto& [j, b] : places[1])
-      for (const auto& [i, a] : places[0]) {
-        const float* p = field.values.data() + field.offset(i, j, k);
-        const float v00 = p[0] + a * (p[dx] - p[0]), v10 = p[dy] + a * (p[dy + dx] - p[dy]);
-        const float v01 = p[dz] + a * (p[dz + dx] - p[dz]),
-                    v11 = p[dz + dy] + a * (p[dz + dy + dx] - p[dz + dy]);
-        const float v0 = v00 + b * (v10 - v00), v1 = v01 + b * (v11 - v01);
-        values.push_back(v0 + c * (v1 - v0));
-      }
+  share_out_runs(places[2].size(), kLeastRun / std::max(std::size_t{1}, slice),
+                 [&](std::size_t first, std::size_t end) {
+                   float* to = values.data() + first * slice;
+                   for (std::size_t n = first; n < end; ++n) {
+                     const auto& [k, c] = places[2][n];
+                     for (const auto& [j, b] : places[1])
+                       for (const auto& [i, a] : places[0]) {
+                         const float* p = field.values.data() + field.offset(i, j, k);
+                         const float v00 = p[0] + a * (p[dx] - p[0]), v10 = p[dy] + a * (p[dy + dx] - p[dy]);
+                         const float v01 = p[dz] + a * (p[dz + dx] - p[dz]),
+                                     v11 = p[dz + dy] + a * (p[dz + dy + dx] - p[dz + dy]);
+                         const float v0 = v00 + b * (v10 - v00), v1 = v01 + b * (v11 - v01);
+                         *to++ = v0 + c * (v1 - v0);
+                       }
+                   }
+                 });
   return values;
 }
 
@@ -150,9 +194,9 @@ void diffuse(Field& field, double contrast, int iterations) {
   const auto inverse_square = static_cast<float>(1.0 / (contrast * contrast));
   constexpr float kStep = 1.0F / 7.0F;  // below 1/6: stable
   std::vector<float> next = field.values;
-  for (int n = 0; n < iterations; ++n) {
-    std::size_t at = 0;
-    for (int k = 0; k < field.size.z(); ++k)
+  const auto slices = [&](std::size_t first, std::size_t end) {
+    std::size_t at = first * stride[2];
+    for (int k = static_cast<int>(first); k < static_cast<int>(end); ++k)
       for (int j = 0; j < field.size.y(); ++j)
         for (int i = 0; i < field.size.x(); ++i, ++at) {
           const float centre = field.values[at];
@@ -169,6 +213,10 @@ void diffuse(Field& field, double contrast, int iterations) {
           if (k + 1 < field.size.z()) from(at + stride[2]);
           next[at] = centre + kStep * flow;
         }
+  };
+  for (int n = 0; n < iterations; ++n) {
+    share_out_runs(static_cast<std::size_t>(field.size.z()), kLeastRun / std::max(std::size_t{1}, stride[2]),
+                   slices);
     field.values.swap(next);
   }
 }

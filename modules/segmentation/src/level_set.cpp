@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <functional>
+#include <optional>
+
+#include "glisson/core/share_out.h"
 #include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson::segmentation {
 namespace {
 
-constexpr float kBandVoxels = 3.5F;  // half width of the band, in voxels
-constexpr int kStepsPerRebuild = 4;  // 0.3 voxels a step at most: the front stays well inside the band
+constexpr float kBandVoxels = 3.5F;       // half width of the band, in voxels
+constexpr std::size_t kLeastRun = 10000;  // voxels whose speed takes longer than to begin a thread
+constexpr int kStepsPerRebuild = 4;       // 0.3 voxels a step at most: the front stays well inside the band
 
 struct Neighbours {
   std::size_t x, y, z;
@@ -28,63 +32,143 @@ struct Entry {
   }
 };
 
-/// Rebuilds phi as a distance within the band, keeping its zero, and clamps it beyond. Band voxels that are
-/// not on the volume's edge go to `band`, in memory order.
-class Rebuilder {
+/// The nearest first. A heap for each stretch of the way to `limit`: few of them are touched at a time, so
+/// that they stay in the processor's cache.
+class Front {
  public:
-  explicit Rebuilder(const Field& phi) : h_(static_cast<float>(phi.spacing_mm.minCoeff())) {
-    distance_.resize(phi.values.size());
-    done_.resize(phi.values.size());
+  explicit Front(float limit) : stretches_(kStretches), scale_(static_cast<float>(kStretches) / limit) {}
+
+  void push(const Entry& entry) {
+    const std::size_t stretch =
+        std::clamp(static_cast<std::size_t>(entry.distance * scale_), current_, kStretches - 1);
+    stretches_[stretch].push_back(entry);
+    if (stretch == current_) sift_in();
   }
 
-  void rebuild(Field& phi, std::vector<std::size_t>& band) {
-    const float limit = kBandVoxels * h_;
-    std::fill(distance_.begin(), distance_.end(), limit);
-    std::fill(done_.begin(), done_.end(), 0);
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    start(phi, queue);
-    march(phi, queue, limit);
-    band.clear();
-    std::size_t at = 0;
-    for (int k = 0; k < phi.size.z(); ++k)
-      for (int j = 0; j < phi.size.y(); ++j)
-        for (int i = 0; i < phi.size.x(); ++i, ++at) {
-          phi.values[at] = phi.values[at] < 0.0F ? -distance_[at] : distance_[at];
-          const bool inner =
-              i > 0 && j > 0 && k > 0 && i + 1 < phi.size.x() && j + 1 < phi.size.y() && k + 1 < phi.size.z();
-          if (inner && distance_[at] < limit) band.push_back(at);
-        }
+  /// Empty when there is none left; the front then begins anew.
+  std::optional<Entry> pop() {
+    while (stretches_[current_].empty()) {
+      if (++current_ == kStretches) {
+        current_ = 0;
+        return std::nullopt;
+      }
+      std::make_heap(stretches_[current_].begin(), stretches_[current_].end(), std::greater<>());
+    }
+    std::vector<Entry>& heap = stretches_[current_];
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    const Entry nearest = heap.back();
+    heap.pop_back();
+    return nearest;
   }
 
  private:
-  /// Voxels beside the interface: their distance by linear interpolation along each axis.
-  template <class Queue>
-  void start(const Field& phi, Queue& queue) {
-    for (std::size_t at = 0; at < phi.values.size(); ++at) {
-      const float here = phi.values[at];
-      if (std::abs(here) > 4.0F * h_) continue;
-      std::array<float, 3> nearest = {1e30F, 1e30F, 1e30F};
-      bool crossed = false;
-      each_face_neighbour(phi.size, at, [&](std::size_t other, int axis) {
-        const float there = phi.values[other];
-        if ((here < 0.0F) == (there < 0.0F)) return;
-        crossed = true;
-        const float d = h_ * std::abs(here) / std::max(1e-12F, std::abs(here - there));
-        float& best = nearest[static_cast<std::size_t>(axis)];
-        best = std::min(best, std::max(d, 1e-4F * h_));
-      });
-      if (!crossed) continue;
-      float sum = 0.0F;
-      for (const float d : nearest) sum += 1.0F / (d * d);
-      distance_[at] = 1.0F / std::sqrt(sum);
-      queue.push({distance_[at], at});
+  static constexpr std::size_t kStretches = 512;
+
+  void sift_in() {
+    std::push_heap(stretches_[current_].begin(), stretches_[current_].end(), std::greater<>());
+  }
+
+  std::vector<std::vector<Entry>> stretches_;
+  float scale_;
+  std::size_t current_ = 0;  ///< what lies before it has been taken
+};
+
+/// Rebuilds phi as a distance within the band, keeping its zero, and clamps it beyond. Band voxels that are
+/// not on the volume's edge go to `band`, in memory order. Between two calls only the band may change, and
+/// the front must stay in it: then only what was near the front, or beside it, is looked at again.
+class Rebuilder {
+ public:
+  explicit Rebuilder(const Field& phi)
+      : size_(phi.size),
+        h_(static_cast<float>(phi.spacing_mm.minCoeff())),
+        limit_(kBandVoxels * h_),
+        front_(limit_) {
+    distance_.resize(phi.values.size(), limit_);
+    done_.resize(phi.values.size(), 0);
+    on_edge_.resize(phi.values.size(), 1);
+    for (int k = 1; k + 1 < size_.z(); ++k)
+      for (int j = 1; j + 1 < size_.y(); ++j)
+        for (int i = 1; i + 1 < size_.x(); ++i) on_edge_[phi.offset(i, j, k)] = 0;
+  }
+
+  void rebuild(Field& phi, std::vector<std::size_t>& band) {
+    // The first time a front may lie between voxels that are said to be far from it: it is seen the next
+    // time.
+    const bool is_whole = rebuilds_++ < 2;
+    start(phi, is_whole);
+    for (const std::size_t at : near_) {
+      distance_[at] = limit_;
+      done_[at] = 0;
+      phi.values[at] = phi.values[at] < 0.0F ? -limit_ : limit_;
+    }
+    for (const Entry& entry : beside_) {
+      distance_[entry.at] = entry.distance;
+      front_.push(entry);
+    }
+    beside_.clear();
+    march();
+    near_.clear();
+    band.clear();
+    for (std::size_t at = 0; at < distance_.size(); ++at) {
+      if (is_whole) phi.values[at] = phi.values[at] < 0.0F ? -limit_ : limit_;
+      if (distance_[at] >= limit_) continue;
+      phi.values[at] = phi.values[at] < 0.0F ? -distance_[at] : distance_[at];
+      near_.push_back(at);
+      if (on_edge_[at] == 0) band.push_back(at);
     }
   }
 
+ private:
+  /// As each_face_neighbour(), without its divisions inside the volume.
+  template <class Visit>
+  void each_neighbour(std::size_t at, const Visit& visit) const {
+    if (on_edge_[at] != 0) return each_face_neighbour(size_, at, visit);
+    const auto row = static_cast<std::size_t>(size_.x());
+    const std::size_t slice = row * static_cast<std::size_t>(size_.y());
+    visit(at - 1, 0), visit(at + 1, 0);
+    visit(at - row, 1), visit(at + row, 1);
+    visit(at - slice, 2), visit(at + slice, 2);
+  }
+
+  /// Finds the voxels beside the interface. One of any two on either side of it was near it before.
+  void start(const Field& phi, bool is_whole) {
+    if (is_whole) {
+      for (std::size_t at = 0; at < phi.values.size(); ++at) start_at(phi, at);
+      return;
+    }
+    for (const std::size_t at : near_) {
+      start_at(phi, at);
+      const bool is_inside = phi.values[at] < 0.0F;
+      each_neighbour(at, [&](std::size_t other, int) {
+        if (distance_[other] >= limit_ && (phi.values[other] < 0.0F) != is_inside) start_at(phi, other);
+      });
+    }
+  }
+
+  /// A voxel beside the interface: its distance by linear interpolation along each axis.
+  void start_at(const Field& phi, std::size_t at) {
+    const float here = phi.values[at];
+    if (std::abs(here) > 4.0F * h_) return;
+    std::array<float, 3> nearest = {1e30F, 1e30F, 1e30F};
+    bool crossed = false;
+    each_neighbour(at, [&](std::size_t other, int axis) {
+      const float there = phi.values[other];
+      if ((here < 0.0F) == (there < 0.0F)) return;
+      crossed = true;
+      const float d = h_ * std::abs(here) / std::max(1e-12F, std::abs(here - there));
+      float& best = nearest[static_cast<std::size_t>(axis)];
+      best = std::min(best, std::max(d, 1e-4F * h_));
+    });
+    if (!crossed) return;
+    float sum = 0.0F;
+    for (const float d : nearest) sum += 1.0F / (d * d);
+    beside_.push_back({1.0F / std::sqrt(sum), at});
+  }
+
   /// |grad d| = 1 solved upwind from the accepted neighbours (Sethian 1996).
-  float solve(const Field& phi, std::size_t at) const {
+  float solve(std::size_t at) const {
     std::array<float, 3> smallest = {1e30F, 1e30F, 1e30F};
-    each_face_neighbour(phi.size, at, [&](std::size_t other, int axis) {
+    each_neighbour(at, [&](std::size_t other, int axis) {
       if (done_[other] != 0)
         smallest[static_cast<std::size_t>(axis)] =
             std::min(smallest[static_cast<std::size_t>(axis)], distance_[other]);
@@ -103,27 +187,29 @@ class Rebuilder {
     return d;
   }
 
-  template <class Queue>
-  void march(const Field& phi, Queue& queue, float limit) {
-    while (!queue.empty()) {
-      const Entry entry = queue.top();
-      queue.pop();
-      if (done_[entry.at] != 0) continue;
-      done_[entry.at] = 1;
-      each_face_neighbour(phi.size, entry.at, [&](std::size_t other, int) {
+  void march() {
+    while (const auto entry = front_.pop()) {
+      if (done_[entry->at] != 0) continue;
+      done_[entry->at] = 1;
+      each_neighbour(entry->at, [&](std::size_t other, int) {
         if (done_[other] != 0) return;
-        const float d = solve(phi, other);
-        if (d < distance_[other] && d < limit) {
+        const float d = solve(other);
+        if (d < distance_[other] && d < limit_) {
           distance_[other] = d;
-          queue.push({d, other});
+          front_.push({d, other});
         }
       });
     }
   }
 
-  float h_;
+  Eigen::Vector3i size_;
+  float h_, limit_;
+  int rebuilds_ = 0;
   std::vector<float> distance_;
-  std::vector<std::uint8_t> done_;
+  std::vector<std::uint8_t> done_, on_edge_;
+  std::vector<std::size_t> near_;  ///< closer to the front than the band is wide, in memory order
+  std::vector<Entry> beside_;      ///< the interface
+  Front front_;
 };
 
 /// phi_t at an inner voxel.
@@ -201,11 +287,11 @@ Cancellable<ContourSummary> evolve(Field& phi, const ContourForces& forces, int 
     if (show) show(phi);
     for (int inner = 0; inner < kStepsPerRebuild; ++inner) {
       change.resize(band.size());
+      share_out_runs(band.size(), kLeastRun, [&](std::size_t first, std::size_t end) {
+        for (std::size_t b = first; b < end; ++b) change[b] = speed_at(phi, forces, band[b], step, h);
+      });
       float fastest = 1e-6F;
-      for (std::size_t b = 0; b < band.size(); ++b) {
-        change[b] = speed_at(phi, forces, band[b], step, h);
-        fastest = std::max(fastest, std::abs(change[b]));
-      }
+      for (const float one : change) fastest = std::max(fastest, std::abs(one));
       // Explicit curvature flow is stable below h^2 / 6 beta; nothing moves more than 0.4 voxels.
       const float dt = std::min(0.4F * h / fastest,
                                 h * h / (7.0F * static_cast<float>(std::max(1e-6, forces.curvature_mm))));

@@ -7,12 +7,14 @@
 #include <numeric>
 
 #include "glisson/core/error.h"
+#include "glisson/core/share_out.h"
 #include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr std::size_t kLeastRun = 30000;  // voxels that take longer than to begin a thread
 
 /// Room for one line of the distance transform.
 struct Line {
@@ -26,8 +28,8 @@ struct Line {
         bound(static_cast<std::size_t>(length) + 1) {}
 };
 
-/// Lower envelope of the parabolas in[q] + (h (p - q))^2, into out.
-void transform_line(Line& line, int length, double h) {
+/// Lower envelope of the parabolas in[q] + (h (p - q))^2, into out; above `cap` infinite.
+void transform_line(Line& line, int length, double h, float cap) {
   const double h2 = h * h;
   int top = -1;
   for (int q = 0; q < length; ++q) {
@@ -53,17 +55,17 @@ void transform_line(Line& line, int length, double h) {
   for (int p = 0; p < length; ++p) {
     while (k < top && line.bound[static_cast<std::size_t>(k) + 1] < p) ++k;
     const int v = line.vertex[static_cast<std::size_t>(k)];
-    line.out[static_cast<std::size_t>(p)] =
-        static_cast<float>(line.in[static_cast<std::size_t>(v)] + h2 * (p - v) * (p - v));
+    const auto square = static_cast<float>(line.in[static_cast<std::size_t>(v)] + h2 * (p - v) * (p - v));
+    line.out[static_cast<std::size_t>(p)] = square <= cap ? square : kFar;
   }
 }
 
 /// The first pass, along i, from a mask: to the nearest voxel that is `wanted` in each row, there and back.
-std::vector<float> squared_distance_in_rows(const Mask& mask, std::uint8_t wanted) {
+std::vector<float> squared_distance_in_rows(const Mask& mask, std::uint8_t wanted, float cap) {
   const int length = mask.size.x();
   const double h2 = mask.spacing_mm.x() * mask.spacing_mm.x();
   std::vector<float> field(mask.voxels.size());
-  for (std::size_t start = 0; start < field.size(); start += static_cast<std::size_t>(length)) {
+  const auto row = [&](std::size_t start) {
     const std::uint8_t* in = mask.voxels.data() + start;
     float* out = field.data() + start;
     int nearest = -1;
@@ -75,24 +77,27 @@ std::vector<float> squared_distance_in_rows(const Mask& mask, std::uint8_t wante
     for (int p = length - 1; p >= 0; --p) {
       if (out[p] == 0.0F) nearest = p;
       if (nearest >= 0) out[p] = std::min(out[p], static_cast<float>(h2 * (nearest - p) * (nearest - p)));
+      if (out[p] > cap) out[p] = kFar;
     }
-  }
+  };
+  const auto step = static_cast<std::size_t>(std::max(1, length));
+  share_out_runs(field.size() / step, kLeastRun / step, [&](std::size_t first, std::size_t end) {
+    for (std::size_t n = first; n < end; ++n) row(n * step);
+  });
   return field;
 }
 
 /// One pass along j or k. Sixteen neighbouring lines are taken at a time, so that memory is read in runs.
-void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int axis, double h) {
+void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int axis, double h, float cap) {
   constexpr int kLines = 16;
   const std::size_t row = static_cast<std::size_t>(size.x());
   const std::size_t slice = row * static_cast<std::size_t>(size.y());
   const std::size_t stride = axis == 1 ? row : slice, apart = axis == 1 ? slice : row;
-  const int length = size[axis], others = size[3 - axis];
-  std::vector<Line> lines(kLines, Line(length));
-  for (int other = 0; other < others; ++other)
+  const int length = size[axis];
+  const auto lines_of = [&](std::size_t other, std::vector<Line>& lines) {
     for (int first = 0; first < size.x(); first += kLines) {
       const int count = std::min(kLines, size.x() - first);
-      float* const start =
-          field.data() + static_cast<std::size_t>(first) + static_cast<std::size_t>(other) * apart;
+      float* const start = field.data() + static_cast<std::size_t>(first) + other * apart;
       bool all_zero = true, all_far = true;
       for (int p = 0; p < length; ++p)
         for (int n = 0; n < count; ++n) {
@@ -102,18 +107,42 @@ void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int 
           all_far = all_far && value == kFar;
         }
       if (all_zero || all_far) continue;
-      for (int n = 0; n < count; ++n) transform_line(lines[static_cast<std::size_t>(n)], length, h);
+      for (int n = 0; n < count; ++n) transform_line(lines[static_cast<std::size_t>(n)], length, h, cap);
       for (int p = 0; p < length; ++p)
         for (int n = 0; n < count; ++n)
           start[static_cast<std::size_t>(p) * stride + static_cast<std::size_t>(n)] =
               lines[static_cast<std::size_t>(n)].out[static_cast<std::size_t>(p)];
     }
+  };
+  share_out_runs(static_cast<std::size_t>(size[3 - axis]),
+                 kLeastRun / std::max(std::size_t{1}, row * static_cast<std::size_t>(length)),
+                 [&](std::size_t from, std::size_t end) {
+                   std::vector<Line> lines(kLines, Line(length));
+                   for (std::size_t other = from; other < end; ++other) lines_of(other, lines);
+                 });
 }
 
-std::vector<float> squared_distance_to(const Mask& mask, std::uint8_t wanted) {
-  std::vector<float> field = squared_distance_in_rows(mask, wanted);
-  for (const int axis : {1, 2}) transform_axis(field, mask.size, axis, mask.spacing_mm[axis]);
+/// @param cap what is farther (mm^2) is infinitely far: there is less to be done.
+std::vector<float> squared_distance_to(const Mask& mask, std::uint8_t wanted, float cap) {
+  std::vector<float> field = squared_distance_in_rows(mask, wanted, cap);
+  for (const int axis : {1, 2}) transform_axis(field, mask.size, axis, mask.spacing_mm[axis], cap);
   return field;
+}
+
+/// Where in the mask's box and `margin_mm` around it something `wanted` lies within the radius, or where not
+/// (`within` false). Not set elsewhere.
+Mask judged_near(const Mask& mask, double margin_mm, std::uint8_t wanted, double radius_mm, bool within) {
+  // A distance of the radius does not exceed it by rounding.
+  const auto limit = static_cast<float>(radius_mm * radius_mm * (1.0 + 1e-6));
+  Mask result(mask.size, mask.spacing_mm);
+  const VoxelBox box = bounding_box(mask.size, mask.spacing_mm, mask.voxels, margin_mm);
+  if (box.empty()) return result;
+  Mask part = crop(mask.size, mask.spacing_mm, mask.voxels, box);
+  const std::vector<float> distance = squared_distance_to(part, wanted, limit);
+  std::transform(distance.begin(), distance.end(), part.voxels.begin(),
+                 [&](float d) { return (d <= limit) == within ? std::uint8_t{1} : std::uint8_t{0}; });
+  paste(part, box, mask.size, result.voxels);
+  return result;
 }
 
 /// Floods from `seed` through faces over voxels that satisfy `open`, and calls take(offset) once for each.
@@ -221,7 +250,7 @@ void paste(const Mask& part, const VoxelBox& box, const Eigen::Vector3i& size,
     }
 }
 
-std::vector<float> squared_distance_mm2(const Mask& mask) { return squared_distance_to(mask, 1); }
+std::vector<float> squared_distance_mm2(const Mask& mask) { return squared_distance_to(mask, 1, kFar); }
 
 std::vector<float> squared_depth_mm2(const Mask& mask) { return squared_distance_mm2(complement(mask)); }
 
@@ -230,22 +259,11 @@ Mask complement(Mask mask) {
   return mask;
 }
 
-Mask dilated(const Mask& mask, double radius_mm) {
-  const std::vector<float> distance = squared_distance_to(mask, 1);
-  Mask result(mask.size, mask.spacing_mm);
-  const auto limit = static_cast<float>(radius_mm * radius_mm * (1.0 + 1e-6));
-  std::transform(distance.begin(), distance.end(), result.voxels.begin(),
-                 [&](float d) { return d <= limit ? 1 : 0; });
-  return result;
-}
+Mask dilated(const Mask& mask, double radius_mm) { return judged_near(mask, radius_mm, 1, radius_mm, true); }
 
 Mask eroded(const Mask& mask, double radius_mm) {
-  const std::vector<float> distance = squared_distance_to(mask, 0);
-  Mask result(mask.size, mask.spacing_mm);
-  const auto limit = static_cast<float>(radius_mm * radius_mm * (1.0 + 1e-6));
-  std::transform(distance.begin(), distance.end(), result.voxels.begin(),
-                 [&](float d) { return d > limit ? 1 : 0; });
-  return result;
+  // One voxel beside the mask is as good as all that lie beyond it.
+  return judged_near(mask, mask.spacing_mm.maxCoeff(), 0, radius_mm, false);
 }
 
 Mask opened(const Mask& mask, double radius_mm) { return dilated(eroded(mask, radius_mm), radius_mm); }

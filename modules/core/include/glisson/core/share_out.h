@@ -17,4 +17,11 @@ namespace glisson {
 void share_out(std::size_t pieces, int threads,
                const std::function<void(std::size_t piece, bool here)>& work);
 
+/// Shares out the places 0 to `count` - 1 to two threads, in runs of consecutive ones: work(first, end). What
+/// becomes of a place must not depend on the run that it is in.
+/// @param least of places that are worth a run; where there is but one run, no thread is begun.
+/// @throws as share_out().
+void share_out_runs(std::size_t count, std::size_t least,
+                    const std::function<void(std::size_t first, std::size_t end)>& work);
+
 }  // namespace glisson
