@@ -7,6 +7,7 @@
 
 #include "enclosed.h"
 #include "glisson/core/error.h"
+#include "glisson/core/share_out.h"
 #include "lesions.h"
 #include "level_set.h"
 #include "organs.h"
@@ -150,37 +151,31 @@ Mask hull_of(const Mask& liver) {
   return hull;
 }
 
-/// Calls grow(scene, click) for each click of a list. @return their union; no values: nothing was found.
-template <class Grow>
-Field united(const Image& image, const Points& clicks, double diameter_mm, const LesionGround& ground,
-             const Grow& grow) {
-  Field all;
-  if (clicks.rows() == 0) return all;
-  const LesionScene scene = lesion_scene(image, clicks, diameter_mm, ground);
-  for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, clicks)) {
-    const Field one = grow(scene, LesionClick{place, diameter_mm});
-    if (all.values.empty()) all = one;
-    for (std::size_t i = 0; i < one.values.size(); ++i)
-      all.values[i] = std::min(all.values[i], one.values[i]);
-  }
-  return all;
+std::vector<LesionClick> clicks_of(const Image& image, const LesionScene& scene, const Seeds& seeds,
+                                   std::size_t lesion) {
+  std::vector<LesionClick> clicks;
+  for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, seeds.lesions[lesion]))
+    clicks.push_back({place, seeds.lesion_diameter_mm(lesion)});
+  return clicks;
 }
 
 /// Lesions before the liver is known. False: cancelled.
 bool guess_lesions(const Image& image, const Seeds& seeds, const Bodies& bodies, const Field& ct,
                    const RunContext& context, Mask& sure, Mask& likely) {
   const LesionGround ground = ground_of(bodies);
-  for (std::size_t n = 0; n < seeds.lesions.size(); ++n) {
-    if (context.cancelled()) return false;
-    united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground,
-           [&](const LesionScene& scene, const LesionClick& click) {
-             LesionGuess guess = guess_lesion(scene, click);
-             if (!guess.sure.values.empty()) unite(sure, covered(guess.sure, ct));
-             if (!guess.likely.values.empty()) unite(likely, covered(guess.likely, ct));
-             return std::move(guess.sure);
-           });
-  }
-  return true;
+  std::vector<std::vector<LesionGuess>> guesses(seeds.lesions.size());
+  share_out(guesses.size(), 2, [&](std::size_t n, bool) {
+    if (context.cancelled() || seeds.lesions[n].rows() == 0) return;
+    const LesionScene scene = lesion_scene(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground);
+    for (const LesionClick& click : clicks_of(image, scene, seeds, n))
+      guesses[n].push_back(guess_lesion(scene, click));
+  });
+  for (const std::vector<LesionGuess>& lesion : guesses)
+    for (const LesionGuess& guess : lesion) {
+      if (!guess.sure.values.empty()) unite(sure, covered(guess.sure, ct));
+      if (!guess.likely.values.empty()) unite(likely, covered(guess.likely, ct));
+    }
+  return !context.cancelled();
 }
 
 /// The surroundings of the clicks inside, out to farther than a liver reaches.
@@ -230,19 +225,21 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
   LesionGround ground = ground_of(bodies);
   ground.organ = bodies.liver_phi;
   ground.hull = signed_distance(hull_of(bodies.liver), bodies.grid);
-  for (std::size_t n = 0; n < seeds.lesions.size(); ++n) {
-    if (context.cancelled()) return false;
-    GrownLesion lesion;
-    lesion.phi = united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground,
-                        [&](const LesionScene& scene, const LesionClick& click) {
-                          GrownLesion one = grow_lesion(scene, click);
-                          lesion.bright = lesion.bright || one.bright;
-                          lesion.borderless = lesion.borderless || one.borderless;
-                          return std::move(one.phi);
-                        });
-    bodies.lesions.push_back(std::move(lesion));
-  }
-  return true;
+  bodies.lesions.resize(seeds.lesions.size());
+  share_out(bodies.lesions.size(), 2, [&](std::size_t n, bool) {
+    if (context.cancelled() || seeds.lesions[n].rows() == 0) return;
+    const LesionScene scene = lesion_scene(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground);
+    GrownLesion& lesion = bodies.lesions[n];
+    for (const LesionClick& click : clicks_of(image, scene, seeds, n)) {
+      GrownLesion one = grow_lesion(scene, click);
+      lesion.bright = lesion.bright || one.bright;
+      lesion.borderless = lesion.borderless || one.borderless;
+      if (lesion.phi.values.empty()) lesion.phi = one.phi;
+      for (std::size_t i = 0; i < one.phi.values.size(); ++i)
+        lesion.phi.values[i] = std::min(lesion.phi.values[i], one.phi.values[i]);
+    }
+  });
+  return !context.cancelled();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/core/share_out.h"
 #include "tree_split.h"
 
 namespace glisson::segmentation {
@@ -131,13 +132,16 @@ Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
     Field blurred = ct;
     smooth(blurred, sigmas_mm[n]);
     const auto scale = static_cast<float>(sigmas_mm[n] * sigmas_mm[n]);
-    for (int k = 1; k + 1 < ct.size.z(); ++k)
-      for (int j = 1; j + 1 < ct.size.y(); ++j)
-        for (int i = 1; i + 1 < ct.size.x(); ++i) {
-          const std::size_t at = ct.offset(i, j, k);
-          if (where.voxels[at] != 0)
-            best[at] = std::max(best[at], scale * tube_response(hessian(blurred, at)));
-        }
+    const auto inner_slices = static_cast<std::size_t>(std::max(0, ct.size.z() - 2));
+    share_out_runs(inner_slices, 1, [&](std::size_t first, std::size_t end) {
+      for (int k = 1 + static_cast<int>(first); k < 1 + static_cast<int>(end); ++k)
+        for (int j = 1; j + 1 < ct.size.y(); ++j)
+          for (int i = 1; i + 1 < ct.size.x(); ++i) {
+            const std::size_t at = ct.offset(i, j, k);
+            if (where.voxels[at] != 0)
+              best[at] = std::max(best[at], scale * tube_response(hessian(blurred, at)));
+          }
+    });
   }
   return best;
 }

@@ -331,15 +331,24 @@ Mask slice_holes_filled(const Mask& mask) {
   Mask result = mask;
   const std::size_t sx = 1, sy = static_cast<std::size_t>(mask.size.x()),
                     sz = sy * static_cast<std::size_t>(mask.size.y());
-  for (int k = 0; k < mask.size.z(); ++k)
-    fill_slice(mask.voxels, result.voxels, static_cast<std::size_t>(k) * sz, mask.size.x(), mask.size.y(), sx,
-               sy);
-  for (int j = 0; j < mask.size.y(); ++j)
-    fill_slice(mask.voxels, result.voxels, static_cast<std::size_t>(j) * sy, mask.size.x(), mask.size.z(), sx,
-               sz);
-  for (int i = 0; i < mask.size.x(); ++i)
-    fill_slice(mask.voxels, result.voxels, static_cast<std::size_t>(i) * sx, mask.size.y(), mask.size.z(), sy,
-               sz);
+  const auto each_slice = [&](int count, std::size_t least, const auto& fill) {
+    const auto slices = static_cast<std::size_t>(count);
+    share_out_runs(slices, std::max(least, kLeastRun * slices / std::max(std::size_t{1}, mask.voxels.size())),
+                   [&](std::size_t first, std::size_t end) {
+                     for (std::size_t n = first; n < end; ++n) fill(n);
+                   });
+  };
+  each_slice(mask.size.z(), 1, [&](std::size_t k) {
+    fill_slice(mask.voxels, result.voxels, k * sz, mask.size.x(), mask.size.y(), sx, sy);
+  });
+  each_slice(mask.size.y(), 1, [&](std::size_t j) {
+    fill_slice(mask.voxels, result.voxels, j * sy, mask.size.x(), mask.size.z(), sx, sz);
+  });
+  // Two threads that write beside each other in memory wait for one another: each has a line of cache at
+  // least.
+  each_slice(mask.size.x(), 64, [&](std::size_t i) {
+    fill_slice(mask.voxels, result.voxels, i * sx, mask.size.y(), mask.size.z(), sy, sz);
+  });
   return result;
 }
 
