@@ -95,10 +95,12 @@ void ShareOutTest::RunsCoverEachPlaceOnce() {
 
 void ShareOutTest::AShortRunBeginsNoThread() {
   bool is_callers = false;
+  std::atomic<int> runs{0};
   share_out_runs(100, 100, [&, caller = std::this_thread::get_id()](std::size_t, std::size_t) {
     is_callers = std::this_thread::get_id() == caller;
+    ++runs;
   });
-  QVERIFY(is_callers);
+  QVERIFY(is_callers && runs == 1);
 }
 
 QTEST_APPLESS_MAIN(ShareOutTest)

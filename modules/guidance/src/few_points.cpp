@@ -24,19 +24,19 @@ FewPoints::FewPoints(const StereoRig& rig, const StereoFrame& first, const Judge
       left_(signal_at_start(first.left, options.least_signal)),
       right_(signal_at_start(first.right, options.least_signal)),
       seen_(stereo_.see(first.left, first.right).size()),
-      tells_order_(fits(first.left, first.right)) {}
+      tells_order_(fits(seen_, first.left, first.right)) {}
 
-bool FewPoints::fits(const Picture& left, const Picture& right) {
-  const auto seen = static_cast<double>(stereo_.see(left, right).size());
-  return seen > kSeen * static_cast<double>(seen_) &&
-         seen > kTimes * static_cast<double>(stereo_.see(right, left).size());
+bool FewPoints::fits(std::size_t seen, const Picture& left, const Picture& right) {
+  const auto places = static_cast<double>(seen);
+  return places > kSeen * static_cast<double>(seen_) &&
+         places > kTimes * static_cast<double>(stereo_.see(right, left).size());
 }
 
 bool FewPoints::are_swapped(const StereoFrame& frame, const FrameClock& clock) {
   if (!tells_order_) return false;
   if (looked_ >= 0.0 && !clock.is_due(looked_, kLookEvery)) return swapped_;
   looked_ = clock.now();
-  swapped_ = fits(frame.right, frame.left);
+  swapped_ = fits(stereo_.see(frame.right, frame.left).size(), frame.right, frame.left);
   return swapped_;
 }
 

@@ -20,8 +20,9 @@ class FewPoints {
   Validity reason(const StereoFrame& frame, const FrameClock& clock);
 
  private:
-  /// Whether stereo sees this order so much better than the other one that the order is beyond doubt.
-  bool fits(const Picture& left, const Picture& right);
+  /// Whether stereo, which sees so many places in this order, sees so few in the other one that the order is
+  /// beyond doubt.
+  bool fits(std::size_t seen, const Picture& left, const Picture& right);
   bool are_swapped(const StereoFrame& frame, const FrameClock& clock);
 
   JudgeOptions options_;

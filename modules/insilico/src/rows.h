@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
-#include <thread>
+#include "glisson/core/share_out.h"
 
 namespace glisson::insilico {
 
@@ -10,14 +9,9 @@ namespace glisson::insilico {
 /// is then the same whoever computes them.
 template <class Work>
 void for_each_row(int rows, const Work& work) {
-  constexpr int kChunk = 8;
-  std::atomic<int> next{0};
-  const auto run = [&] {
-    for (int begin = next.fetch_add(kChunk); begin < rows; begin = next.fetch_add(kChunk))
-      for (int y = begin; y < rows && y < begin + kChunk; ++y) work(y);
-  };
-  const std::jthread other(run);
-  run();
+  share_out_runs(static_cast<std::size_t>(rows), 1, [&](std::size_t first, std::size_t end) {
+    for (std::size_t y = first; y < end; ++y) work(static_cast<int>(y));
+  });
 }
 
 }  // namespace glisson::insilico

@@ -234,7 +234,10 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
       GrownLesion one = grow_lesion(scene, click);
       lesion.bright = lesion.bright || one.bright;
       lesion.borderless = lesion.borderless || one.borderless;
-      if (lesion.phi.values.empty()) lesion.phi = one.phi;
+      if (lesion.phi.values.empty()) {
+        lesion.phi = std::move(one.phi);
+        continue;
+      }
       for (std::size_t i = 0; i < one.phi.values.size(); ++i)
         lesion.phi.values[i] = std::min(lesion.phi.values[i], one.phi.values[i]);
     }

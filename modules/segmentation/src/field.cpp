@@ -9,8 +9,6 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr std::size_t kLeastRun = 30000;  // samples that take longer than to begin a thread
-
 /// Weighted sources of one output sample along an axis.
 struct Tap {
   int first = 0;
@@ -85,19 +83,18 @@ std::vector<float> apply_taps(const std::vector<float>& in, const Eigen::Vector3
       from += stride;
     }
   };
-  share_out_runs(rows * slices, kLeastRun / std::max(std::size_t{1}, row),
-                 [&](std::size_t first, std::size_t end) {
-                   for (std::size_t n = first; n < end; ++n) {
-                     const std::size_t j = n % rows, k = n / rows;
-                     float* to = out.data() + n * row;
-                     if (axis == 0)
-                       along(to, in.data() + nx * (j + ny * k));
-                     else if (axis == 1)
-                       across(to, in.data() + nx * ny * k, taps[j], nx);
-                     else
-                       across(to, in.data() + nx * j, taps[k], nx * ny);
-                   }
-                 });
+  share_out_runs(rows * slices, least_run(row), [&](std::size_t first, std::size_t end) {
+    for (std::size_t n = first; n < end; ++n) {
+      const std::size_t j = n % rows, k = n / rows;
+      float* to = out.data() + n * row;
+      if (axis == 0)
+        along(to, in.data() + nx * (j + ny * k));
+      else if (axis == 1)
+        across(to, in.data() + nx * ny * k, taps[j], nx);
+      else
+        across(to, in.data() + nx * j, taps[k], nx * ny);
+    }
+  });
   return out;
 }
 
@@ -168,22 +165,21 @@ std::vector<float> on_image(const Field& field, const VoxelBox& box) {
                     dz = field.size.z() > 1 ? static_cast<std::size_t>(field.size.x()) *
                                                   static_cast<std::size_t>(field.size.y())
                                             : 0;
-  share_out_runs(places[2].size(), kLeastRun / std::max(std::size_t{1}, slice),
-                 [&](std::size_t first, std::size_t end) {
-                   float* to = values.data() + first * slice;
-                   for (std::size_t n = first; n < end; ++n) {
-                     const auto& [k, c] = places[2][n];
-                     for (const auto& [j, b] : places[1])
-                       for (const auto& [i, a] : places[0]) {
-                         const float* p = field.values.data() + field.offset(i, j, k);
-                         const float v00 = p[0] + a * (p[dx] - p[0]), v10 = p[dy] + a * (p[dy + dx] - p[dy]);
-                         const float v01 = p[dz] + a * (p[dz + dx] - p[dz]),
-                                     v11 = p[dz + dy] + a * (p[dz + dy + dx] - p[dz + dy]);
-                         const float v0 = v00 + b * (v10 - v00), v1 = v01 + b * (v11 - v01);
-                         *to++ = v0 + c * (v1 - v0);
-                       }
-                   }
-                 });
+  share_out_runs(places[2].size(), least_run(slice), [&](std::size_t first, std::size_t end) {
+    float* to = values.data() + first * slice;
+    for (std::size_t n = first; n < end; ++n) {
+      const auto& [k, c] = places[2][n];
+      for (const auto& [j, b] : places[1])
+        for (const auto& [i, a] : places[0]) {
+          const float* p = field.values.data() + field.offset(i, j, k);
+          const float v00 = p[0] + a * (p[dx] - p[0]), v10 = p[dy] + a * (p[dy + dx] - p[dy]);
+          const float v01 = p[dz] + a * (p[dz + dx] - p[dz]),
+                      v11 = p[dz + dy] + a * (p[dz + dy + dx] - p[dz + dy]);
+          const float v0 = v00 + b * (v10 - v00), v1 = v01 + b * (v11 - v01);
+          *to++ = v0 + c * (v1 - v0);
+        }
+    }
+  });
   return values;
 }
 
@@ -215,8 +211,7 @@ void diffuse(Field& field, double contrast, int iterations) {
         }
   };
   for (int n = 0; n < iterations; ++n) {
-    share_out_runs(static_cast<std::size_t>(field.size.z()), kLeastRun / std::max(std::size_t{1}, stride[2]),
-                   slices);
+    share_out_runs(static_cast<std::size_t>(field.size.z()), least_run(stride[2]), slices);
     field.values.swap(next);
   }
 }

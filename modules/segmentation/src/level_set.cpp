@@ -12,9 +12,9 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr float kBandVoxels = 3.5F;       // half width of the band, in voxels
-constexpr std::size_t kLeastRun = 10000;  // voxels whose speed takes longer than to begin a thread
-constexpr int kStepsPerRebuild = 4;       // 0.3 voxels a step at most: the front stays well inside the band
+constexpr float kBandVoxels = 3.5F;    // half width of the band, in voxels
+constexpr std::size_t kSpeedCost = 3;  // a front's speed takes as long as so many samples
+constexpr int kStepsPerRebuild = 4;    // 0.3 voxels a step at most: the front stays well inside the band
 
 struct Neighbours {
   std::size_t x, y, z;
@@ -42,7 +42,8 @@ class Front {
     const std::size_t stretch =
         std::clamp(static_cast<std::size_t>(entry.distance * scale_), current_, kStretches - 1);
     stretches_[stretch].push_back(entry);
-    if (stretch == current_) sift_in();
+    if (stretch == current_)
+      std::push_heap(stretches_[stretch].begin(), stretches_[stretch].end(), std::greater<>());
   }
 
   /// Empty when there is none left; the front then begins anew.
@@ -64,10 +65,6 @@ class Front {
  private:
   static constexpr std::size_t kStretches = 512;
 
-  void sift_in() {
-    std::push_heap(stretches_[current_].begin(), stretches_[current_].end(), std::greater<>());
-  }
-
   std::vector<std::vector<Entry>> stretches_;
   float scale_;
   std::size_t current_ = 0;  ///< what lies before it has been taken
@@ -80,6 +77,7 @@ class Rebuilder {
  public:
   explicit Rebuilder(const Field& phi)
       : size_(phi.size),
+        step_(phi),
         h_(static_cast<float>(phi.spacing_mm.minCoeff())),
         limit_(kBandVoxels * h_),
         front_(limit_) {
@@ -123,11 +121,9 @@ class Rebuilder {
   template <class Visit>
   void each_neighbour(std::size_t at, const Visit& visit) const {
     if (on_edge_[at] != 0) return each_face_neighbour(size_, at, visit);
-    const auto row = static_cast<std::size_t>(size_.x());
-    const std::size_t slice = row * static_cast<std::size_t>(size_.y());
-    visit(at - 1, 0), visit(at + 1, 0);
-    visit(at - row, 1), visit(at + row, 1);
-    visit(at - slice, 2), visit(at + slice, 2);
+    visit(at - step_.x, 0), visit(at + step_.x, 0);
+    visit(at - step_.y, 1), visit(at + step_.y, 1);
+    visit(at - step_.z, 2), visit(at + step_.z, 2);
   }
 
   /// Finds the voxels beside the interface. One of any two on either side of it was near it before.
@@ -203,6 +199,7 @@ class Rebuilder {
   }
 
   Eigen::Vector3i size_;
+  Neighbours step_;
   float h_, limit_;
   int rebuilds_ = 0;
   std::vector<float> distance_;
@@ -287,7 +284,7 @@ Cancellable<ContourSummary> evolve(Field& phi, const ContourForces& forces, int 
     if (show) show(phi);
     for (int inner = 0; inner < kStepsPerRebuild; ++inner) {
       change.resize(band.size());
-      share_out_runs(band.size(), kLeastRun, [&](std::size_t first, std::size_t end) {
+      share_out_runs(band.size(), least_run(kSpeedCost), [&](std::size_t first, std::size_t end) {
         for (std::size_t b = first; b < end; ++b) change[b] = speed_at(phi, forces, band[b], step, h);
       });
       float fastest = 1e-6F;

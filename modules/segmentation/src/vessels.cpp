@@ -133,7 +133,8 @@ Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
     smooth(blurred, sigmas_mm[n]);
     const auto scale = static_cast<float>(sigmas_mm[n] * sigmas_mm[n]);
     const auto inner_slices = static_cast<std::size_t>(std::max(0, ct.size.z() - 2));
-    share_out_runs(inner_slices, 1, [&](std::size_t first, std::size_t end) {
+    const auto slice = static_cast<std::size_t>(ct.size.x()) * static_cast<std::size_t>(ct.size.y());
+    share_out_runs(inner_slices, least_run(slice), [&](std::size_t first, std::size_t end) {
       for (int k = 1 + static_cast<int>(first); k < 1 + static_cast<int>(end); ++k)
         for (int j = 1; j + 1 < ct.size.y(); ++j)
           for (int i = 1; i + 1 < ct.size.x(); ++i) {

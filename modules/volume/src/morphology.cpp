@@ -14,7 +14,6 @@ namespace glisson {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr std::size_t kLeastRun = 30000;  // voxels that take longer than to begin a thread
 
 /// Room for one line of the distance transform.
 struct Line {
@@ -81,7 +80,7 @@ std::vector<float> squared_distance_in_rows(const Mask& mask, std::uint8_t wante
     }
   };
   const auto step = static_cast<std::size_t>(std::max(1, length));
-  share_out_runs(field.size() / step, kLeastRun / step, [&](std::size_t first, std::size_t end) {
+  share_out_runs(field.size() / step, least_run(step), [&](std::size_t first, std::size_t end) {
     for (std::size_t n = first; n < end; ++n) row(n * step);
   });
   return field;
@@ -114,8 +113,7 @@ void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int 
               lines[static_cast<std::size_t>(n)].out[static_cast<std::size_t>(p)];
     }
   };
-  share_out_runs(static_cast<std::size_t>(size[3 - axis]),
-                 kLeastRun / std::max(std::size_t{1}, row * static_cast<std::size_t>(length)),
+  share_out_runs(static_cast<std::size_t>(size[3 - axis]), least_run(row * static_cast<std::size_t>(length)),
                  [&](std::size_t from, std::size_t end) {
                    std::vector<Line> lines(kLines, Line(length));
                    for (std::size_t other = from; other < end; ++other) lines_of(other, lines);
@@ -333,7 +331,7 @@ Mask slice_holes_filled(const Mask& mask) {
                     sz = sy * static_cast<std::size_t>(mask.size.y());
   const auto each_slice = [&](int count, std::size_t least, const auto& fill) {
     const auto slices = static_cast<std::size_t>(count);
-    share_out_runs(slices, std::max(least, kLeastRun * slices / std::max(std::size_t{1}, mask.voxels.size())),
+    share_out_runs(slices, std::max(least, least_run(mask.voxels.size() / std::max(std::size_t{1}, slices))),
                    [&](std::size_t first, std::size_t end) {
                      for (std::size_t n = first; n < end; ++n) fill(n);
                    });

@@ -24,4 +24,10 @@ void share_out(std::size_t pieces, int threads,
 void share_out_runs(std::size_t count, std::size_t least,
                     const std::function<void(std::size_t first, std::size_t end)>& work);
 
+/// The least run of places of `samples` voxels or pixels each that takes longer than to begin a thread.
+constexpr std::size_t least_run(std::size_t samples) {
+  constexpr std::size_t kWorth = 30000;
+  return samples == 0 ? kWorth : kWorth / samples;
+}
+
 }  // namespace glisson
