@@ -82,11 +82,13 @@ class MrTest : public QObject {
  private:
   MrPatient venous_;
   Seeds clicks_;
+  Image mapped_;  ///< the same on a CT's scale
 };
 
 void MrTest::initTestCase() {
   venous_ = small_patient(MrOptions::Sequence::t1_venous);
   clicks_ = ten_clicks(venous_);
+  mapped_ = on_ct_scale(venous_.mr, clicks_, nullptr, RunContext()).value();
 }
 
 void MrTest::TheLiverIsFoundFromTenRandomClicks() {
@@ -98,10 +100,8 @@ void MrTest::TheLiverIsFoundFromTenRandomClicks() {
 }
 
 void MrTest::TheCoilsFieldIsTakenOff() {
-  const auto voxels = venous_.mr.voxels;
-  const Image mapped = on_ct_scale(venous_.mr, clicks_, nullptr, RunContext()).value();
-  QCOMPARE(mapped.modality, Modality::ct);
-  QVERIFY(venous_.mr.voxels == voxels && venous_.mr.modality == Modality::mr);
+  QCOMPARE(mapped_.modality, Modality::ct);
+  QCOMPARE(venous_.mr.modality, Modality::mr);
   MrOptions even;
   even.spacing_mm = {2.5, 2.5, 3.0};
   even.coil_variation = 0.0;
@@ -109,23 +109,22 @@ void MrTest::TheCoilsFieldIsTakenOff() {
   const Image same = on_ct_scale(without_coils.mr, clicks_, nullptr, RunContext()).value();
   const LabelMap& truth = venous_.truth;
   const double before = unlike(block_means(venous_.mr, truth), block_means(without_coils.mr, truth)),
-               after = unlike(block_means(mapped, truth), block_means(same, truth));
+               after = unlike(block_means(mapped_, truth), block_means(same, truth));
   qInfo("blocks of the liver differ by %.3f from those without coils, by %.3f after N4", before, after);
   QVERIFY(before > 0.03);
   QVERIFY2(after < 0.7 * before, qPrintable(QString("%1 %2").arg(before).arg(after)));
 }
 
 void MrTest::TheScannersUnitPlaysNoPart() {
-  const Image one = on_ct_scale(venous_.mr, clicks_, nullptr, RunContext()).value();
   Image scaled = venous_.mr;
   auto voxels = *scaled.voxels;
   for (std::int16_t& v : voxels) v = static_cast<std::int16_t>(7 * v);
   scaled.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
   const Image other = on_ct_scale(scaled, clicks_, nullptr, RunContext()).value();
   double difference = 0.0;
-  for (std::size_t i = 0; i < one.voxels->size(); ++i)
-    difference += std::abs((*one.voxels)[i] - (*other.voxels)[i]);
-  difference /= static_cast<double>(one.voxels->size());
+  for (std::size_t i = 0; i < mapped_.voxels->size(); ++i)
+    difference += std::abs((*mapped_.voxels)[i] - (*other.voxels)[i]);
+  difference /= static_cast<double>(mapped_.voxels->size());
   QVERIFY2(difference < 1.0, qPrintable(QString::number(difference)));
 }
 
@@ -133,9 +132,13 @@ void MrTest::InvertedContrastIsRefused() {
   const MrPatient t2 = small_patient(MrOptions::Sequence::t2);
   const std::string vessels = refused(t2.mr, insilico::click_seeds(t2.truth, {}));
   QVERIFY2(vessels.find("portal_vein: is not brighter than the liver") != std::string::npos, vessels.c_str());
-  const std::string without = refused(t2.mr, ten_clicks(t2));
+  std::string without;  // vessels that were clicked
+  try {
+    segment(t2.mr, ten_clicks(t2), {}, RunContext());
+  } catch (const InputError& error) {
+    without = error.what();
+  }
   QVERIFY2(without.find("far brighter than the liver") != std::string::npos, without.c_str());
-  QVERIFY_EXCEPTION_THROWN(segment(t2.mr, ten_clicks(t2), {}, RunContext()), InputError);
 }
 
 void MrTest::BloodThatIsNotEnhancedIsRefused() {
@@ -154,15 +157,14 @@ void MrTest::AClickInFatIsRefused() {
 }
 
 void MrTest::AKeptLiverIsAnAnchorToo() {
-  const Image clicked = on_ct_scale(venous_.mr, clicks_, nullptr, RunContext()).value(),
-              kept = on_ct_scale(venous_.mr, {}, &venous_.truth, RunContext()).value();
+  const Image kept = on_ct_scale(venous_.mr, {}, &venous_.truth, RunContext()).value();
   const auto& grid = venous_.mr.grid;
   const Eigen::Vector3i inside =
       grid.index_of(Point<CtFrame>(Eigen::Vector3d(clicks_.liver.row(0).transpose())))
           .array()
           .round()
           .cast<int>();
-  QVERIFY(std::abs(clicked.at(inside) - kept.at(inside)) < 15);
+  QVERIFY(std::abs(mapped_.at(inside) - kept.at(inside)) < 15);
 }
 
 void MrTest::CancelLeavesNothing() {
