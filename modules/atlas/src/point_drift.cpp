@@ -38,33 +38,29 @@ Eigen::MatrixXd squared_differences(const Eigen::MatrixXd& a, const Eigen::Matri
 }
 Eigen::MatrixXd squared_distances(const Points& a, const Points& b) { return squared_differences(a, b); }
 
-/// The fixed points [first, first + count).
-Oriented stretch(const Oriented& all, Eigen::Index first, Eigen::Index count) {
-  Oriented some{all.points.middleRows(first, count), all.normals.middleRows(first, count), {}, {}};
-  if (all.bends.cols() > 0) some.bends = all.bends.middleRows(first, count);
-  some.weights = all.weights.segment(first, count);
-  return some;
-}
+/// What a moving and a fixed point have to do with each other, as one product of a row of either: the
+/// exponent of -d^2 / (2 sigma^2) + kNormals (n n' - 1) - kBends (b - b')^2 / 2.
+struct Affinity {
+  Eigen::MatrixXd moving, fixed;
 
-/// What a few fixed points add to sums over all of them.
-struct Expected {
-  Eigen::VectorXd weight;
-  Points target;
-  double squares = 0.0;
-
-  void add(const Oriented& moving, const Oriented& fixed, double sigma2, double outliers) {
-    const Eigen::MatrixXd d = squared_distances(moving.points, fixed.points);
-    Eigen::MatrixXd p = (-0.5 / sigma2) * d;
-    p.array() += kNormals * ((moving.normals * fixed.normals.transpose()).array() - 1.0);
-    if (moving.bends.cols() > 0 && fixed.bends.cols() > 0)
-      p -= (0.5 * kBends) * squared_differences(moving.bends, fixed.bends);
-    p = p.array().exp();
-    const auto count = static_cast<double>(moving.points.rows());
-    for (Eigen::Index j = 0; j < p.cols(); ++j)
-      p.col(j) *= count * fixed.weights[j] / (p.col(j).sum() + outliers + 1e-300);
-    weight += p.rowwise().sum();
-    target += p * fixed.points;
-    squares += p.cwiseProduct(d).sum();
+  Affinity(const Oriented& from, const Oriented& to, double sigma2) {
+    const Eigen::Index bends = std::min(from.bends.cols(), to.bends.cols());  // none where one's are unknown
+    const auto squares = [&](const Oriented& one) {
+      Eigen::VectorXd sum = one.points.rowwise().squaredNorm() / sigma2;
+      if (bends > 0) sum += kBends * one.bends.rowwise().squaredNorm();
+      return Eigen::VectorXd(-0.5 * sum);
+    };
+    moving = Eigen::MatrixXd::Ones(from.points.rows(), 8 + bends);
+    moving.leftCols(3) = from.points / sigma2;
+    moving.middleCols(3, 3) = kNormals * from.normals;
+    moving.col(6) = squares(from);
+    fixed = Eigen::MatrixXd::Ones(to.points.rows(), 8 + bends);
+    fixed.leftCols(3) = to.points;
+    fixed.middleCols(3, 3) = to.normals;
+    fixed.col(7) = squares(to).array() - kNormals;
+    if (bends == 0) return;
+    moving.rightCols(bends) = kBends * from.bends;
+    fixed.rightCols(bends) = to.bends;
   }
 };
 
@@ -76,15 +72,31 @@ Pull expect(const Oriented& moving, const Oriented& fixed, double sigma2) {
   const double outliers =
       share * std::pow(2.0 * std::numbers::pi * sigma2, 1.5) * kOutliers / (1.0 - kOutliers);
   const Eigen::Index count = moving.points.rows(), all = fixed.points.rows();
-  Expected sums{Eigen::VectorXd::Zero(count), Points::Zero(count, 3)};
-  for (Eigen::Index first = 0; first < all; first += kAtOnce)
-    sums.add(moving, stretch(fixed, first, std::min(kAtOnce, all - first)), sigma2, outliers);
+  const Affinity affinity(moving, fixed, sigma2);
+  Eigen::MatrixXd places(all, 4);  // of the fixed points, and 1: their sums are wanted
+  places << fixed.points, Eigen::VectorXd::Ones(all);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(count, 4), p;
+  double squares = 0.0;  // p |b|^2, then p |a - b|^2
+  for (Eigen::Index first = 0; first < all; first += kAtOnce) {
+    const Eigen::Index some = std::min(kAtOnce, all - first);
+    p.noalias() = affinity.moving * affinity.fixed.middleRows(first, some).transpose();
+    p = p.array().exp();
+    for (Eigen::Index j = 0; j < some; ++j) {
+      const double sum = p.col(j).sum();
+      const double scale = static_cast<double>(count) * fixed.weights[first + j] / (sum + outliers + 1e-300);
+      p.col(j) *= scale;
+      squares += sum * scale * fixed.points.row(first + j).squaredNorm();
+    }
+    sums.noalias() += p * places.middleRows(first, some);
+  }
   Pull pull;
-  pull.weight = sums.weight;
-  pull.target = pull.weight.cwiseMax(1e-12).cwiseInverse().asDiagonal() * sums.target;
+  pull.weight = sums.col(3);
+  squares += pull.weight.dot(moving.points.rowwise().squaredNorm()) -
+             2.0 * moving.points.cwiseProduct(sums.leftCols(3)).sum();
+  pull.target = pull.weight.cwiseMax(1e-12).cwiseInverse().asDiagonal() * sums.leftCols(3);
   for (Eigen::Index i = 0; i < pull.weight.size(); ++i)
     if (pull.weight[i] < 1e-10) pull.target.row(i) = moving.points.row(i);
-  pull.sigma2 = sums.squares / std::max(1e-12, 3.0 * pull.weight.sum());
+  pull.sigma2 = std::max(0.0, squares) / std::max(1e-12, 3.0 * pull.weight.sum());
   return pull;
 }
 
