@@ -2,6 +2,7 @@
 #include "level_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -72,7 +73,8 @@ class Front {
 
 /// Rebuilds phi as a distance within the band, keeping its zero, and clamps it beyond. Band voxels that are
 /// not on the volume's edge go to `band`, in memory order. Between two calls only the band may change, and
-/// the front must stay in it: then only what was near the front, or beside it, is looked at again.
+/// the front must stay in it: then only what was near the front, or beside it, is looked at again. Either
+/// side of the interface is marched by itself, from the voxels beside it: two threads do it.
 class Rebuilder {
  public:
   explicit Rebuilder(const Field& phi)
@@ -80,7 +82,7 @@ class Rebuilder {
         step_(phi),
         h_(static_cast<float>(phi.spacing_mm.minCoeff())),
         limit_(kBandVoxels * h_),
-        front_(limit_) {
+        sides_{Side{true, Front(limit_)}, Side{false, Front(limit_)}} {
     distance_.resize(phi.values.size(), limit_);
     done_.resize(phi.values.size(), 0);
     on_edge_.resize(phi.values.size(), 1);
@@ -101,10 +103,10 @@ class Rebuilder {
     }
     for (const Entry& entry : beside_) {
       distance_[entry.at] = entry.distance;
-      front_.push(entry);
+      sides_[phi.values[entry.at] < 0.0F ? 0 : 1].front.push(entry);
     }
     beside_.clear();
-    march();
+    share_out(2, 2, [&](std::size_t side, bool) { march(phi, sides_[side]); });
     near_.clear();
     band.clear();
     for (std::size_t at = 0; at < distance_.size(); ++at) {
@@ -117,6 +119,14 @@ class Rebuilder {
   }
 
  private:
+  /// What is inside, or what is outside.
+  struct Side {
+    bool is_inside;
+    Front front;
+
+    bool holds(const Field& phi, std::size_t at) const { return (phi.values[at] < 0.0F) == is_inside; }
+  };
+
   /// As each_face_neighbour(), without its divisions inside the volume.
   template <class Visit>
   void each_neighbour(std::size_t at, const Visit& visit) const {
@@ -161,11 +171,11 @@ class Rebuilder {
     beside_.push_back({1.0F / std::sqrt(sum), at});
   }
 
-  /// |grad d| = 1 solved upwind from the accepted neighbours (Sethian 1996).
-  float solve(std::size_t at) const {
+  /// |grad d| = 1 solved upwind from the side's accepted neighbours (Sethian 1996).
+  float solve(const Field& phi, const Side& side, std::size_t at) const {
     std::array<float, 3> smallest = {1e30F, 1e30F, 1e30F};
     each_neighbour(at, [&](std::size_t other, int axis) {
-      if (done_[other] != 0)
+      if (side.holds(phi, other) && done_[other] != 0)
         smallest[static_cast<std::size_t>(axis)] =
             std::min(smallest[static_cast<std::size_t>(axis)], distance_[other]);
     });
@@ -183,16 +193,16 @@ class Rebuilder {
     return d;
   }
 
-  void march() {
-    while (const auto entry = front_.pop()) {
+  void march(const Field& phi, Side& side) {
+    while (const auto entry = side.front.pop()) {
       if (done_[entry->at] != 0) continue;
       done_[entry->at] = 1;
       each_neighbour(entry->at, [&](std::size_t other, int) {
-        if (done_[other] != 0) return;
-        const float d = solve(other);
+        if (!side.holds(phi, other) || done_[other] != 0) return;
+        const float d = solve(phi, side, other);
         if (d < distance_[other] && d < limit_) {
           distance_[other] = d;
-          front_.push({d, other});
+          side.front.push({d, other});
         }
       });
     }
@@ -206,7 +216,7 @@ class Rebuilder {
   std::vector<std::uint8_t> done_, on_edge_;
   std::vector<std::size_t> near_;  ///< closer to the front than the band is wide, in memory order
   std::vector<Entry> beside_;      ///< the interface
-  Front front_;
+  std::array<Side, 2> sides_;
 };
 
 /// phi_t at an inner voxel.
