@@ -63,6 +63,7 @@ std::unique_ptr<Engine> engine_of(Runner runner, const CtFolder& files, Apply ap
   Engine::Options options;
   options.runner = runner;
   options.apply = std::move(apply);
+  options.wake = [] {};
   auto made = std::make_unique<Engine>(std::move(options));
   if (made->wait(made->post(ImportImage{files.path() / "ct.nrrd"})).status != Status::done) return nullptr;
   return made;

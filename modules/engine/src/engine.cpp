@@ -22,8 +22,6 @@
 #include "trial_lane.h"
 
 namespace glisson::engine {
-namespace {}  // namespace
-
 struct Engine::Impl final : LiveLanes {
   explicit Impl(Options given)
       : options(std::move(given)), current(std::make_shared<Snapshot>()), trial(options.trial_seconds) {}
@@ -185,8 +183,11 @@ struct Engine::Impl final : LiveLanes {
   }
 
   Cancellable<Applied> perform(const CaseState& base, const Job& job, const RunContext& context) {
-    const Services services{options.make_follower, options.make_trial,
-                            [this, id = job.id](const LabelVolume& liver) { show_evolving(id, liver); },
+    // Where nobody looks before the command ends, no contour is drawn.
+    const bool is_seen = options.runner == Runner::threaded || options.wake;
+    std::function<void(const LabelVolume&)> show;
+    if (is_seen) show = [this, id = job.id](const LabelVolume& liver) { show_evolving(id, liver); };
+    const Services services{options.make_follower, options.make_trial, std::move(show),
                             job.traits().lane == Lane::edits ? follower : nullptr};
     return options.apply(base, job.command, context, services);
   }

@@ -79,7 +79,8 @@ using MakeTrial = std::function<Cancellable<std::unique_ptr<LoadTrial>>(const Ca
 struct Services {
   MakeFollower make_follower;
   MakeTrial make_trial;
-  /// Shows the liver's contour on its way (see Snapshot::evolving), until the command ends.
+  /// Shows the liver's contour on its way (see Snapshot::evolving), until the command ends. Empty: nobody
+  /// looks.
   std::function<void(const LabelVolume&)> show_evolving;
   /// What follows frames just now; null: nothing. For commands of the edits' lane, which is its own.
   std::shared_ptr<Follower> follower = {};
