@@ -3,30 +3,24 @@
 #include "glisson/engine/recovery.h"
 
 #include <signal.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <QtTest>
 
 #include <cmath>
-#include <fstream>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
-#include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/keep_copy.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/recover_case.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/set_seeds.h"
-#include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/script.h"
-#include "glisson/volume/io.h"
-#include "plain_ct.h"
 #include "seeded_case.h"
 
 using namespace glisson;
@@ -45,8 +39,6 @@ class RecoveryTest : public QObject {
   void WhatARunningProgramHasIsNotOffered();
   void AGoodEndLeavesNothing();
   void ACopyThatWasCutShortIsNone();
-  void ACopyTakesTheImageOverFromTheOneBefore();
-  void AnotherImageOrATouchedFileIsWrittenAnew();
   void KeepingACopyLeavesTheCaseAlone();
   void ACaseThatWasNeverSavedComesBackWithoutAPlace();
   void WhatOthersSavedMeanwhileStays();
@@ -132,70 +124,6 @@ void RecoveryTest::ACopyThatWasCutShortIsNone() {
   fs::remove(found.at(0).copy / "case.json");
   QVERIFY(find_recoverable(root()).empty());
   QVERIFY(fs::is_empty(root()));  // and is removed
-}
-
-namespace {
-
-/// What is the same for two names of one file.
-std::pair<dev_t, ino_t> file_at(const fs::path& path) {
-  struct stat found {};
-  if (::stat(path.c_str(), &found) != 0) throw FileError(path.string() + ": is missing.");
-  return {found.st_dev, found.st_ino};
-}
-
-}  // namespace
-
-void RecoveryTest::ACopyTakesTheImageOverFromTheOneBefore() {
-  test::write_plain_ct(folder_->path() / "ct.nrrd");
-  const RecoveryFolder own(root());
-  const fs::path copy = own.path() / "copy.glisson", image = copy / "image.nrrd";
-  const auto saved = std::make_shared<SavedImage>();
-  Script script{RunContext()};
-  script.run(ImportImage{folder_->path() / "ct.nrrd"});
-  script.run(KeepCopy{own.path(), saved});
-  const auto first = file_at(image);
-  script.run(seeds(0.2));
-  script.run(KeepCopy{own.path(), saved});
-  QVERIFY(file_at(image) == first);
-  QCOMPARE(fs::hard_link_count(image), std::uintmax_t{1});  // the copy before is gone
-  const auto opened = open_case(copy, RunContext());
-  QVERIFY(*(*opened)[part::image]->voxels == *script.state()[part::image]->voxels);
-  QVERIFY((*opened)[part::image]->modality == script.state()[part::image]->modality);
-  QCOMPARE(opened->stamp(part::image).revision, script.state().stamp(part::image).revision);
-  QCOMPARE(seed_on_disk(copy), 0.2);
-  script.run(KeepCopy{own.path()});  // whoever remembers nothing writes it
-  QVERIFY(file_at(image) != first);
-}
-
-void RecoveryTest::AnotherImageOrATouchedFileIsWrittenAnew() {
-  test::write_plain_ct(folder_->path() / "ct.nrrd");
-  Image other = read_image(folder_->path() / "ct.nrrd", RunContext()).value();
-  auto voxels = std::make_shared<std::vector<std::int16_t>>(*other.voxels);
-  voxels->front() = 7;
-  other.voxels = voxels;
-  write_image(folder_->path() / "other.nrrd", other);
-  const RecoveryFolder own(root());
-  const fs::path copy = own.path() / "copy.glisson", image = copy / "image.nrrd";
-  const auto saved = std::make_shared<SavedImage>();
-  const auto voxels_in_copy = [&] { return *(*open_case(copy, RunContext()))[part::image]->voxels; };
-  // Another patient's case whose image has the same revision.
-  std::uint64_t revision = 0;
-  for (const char* name : {"ct.nrrd", "other.nrrd"}) {
-    Script script{RunContext()};
-    script.run(ImportImage{folder_->path() / name});
-    QVERIFY(revision == 0 || revision == script.state().stamp(part::image).revision);
-    revision = script.state().stamp(part::image).revision;
-    script.run(KeepCopy{own.path(), saved});
-    QVERIFY(voxels_in_copy() == *script.state()[part::image]->voxels);
-    // Somebody touches the copy's file, without a trace in its time.
-    const auto time = fs::last_write_time(image);
-    std::string bytes = read_file(image);
-    bytes.back() = static_cast<char>(bytes.back() ^ 1);
-    std::ofstream(image, std::ios::binary | std::ios::trunc) << bytes;
-    fs::last_write_time(image, time);
-    script.run(KeepCopy{own.path(), saved});
-    QVERIFY(voxels_in_copy() == *script.state()[part::image]->voxels);
-  }
 }
 
 void RecoveryTest::KeepingACopyLeavesTheCaseAlone() {

@@ -65,15 +65,15 @@ Stamp read_stamp(const fs::path& folder, const json& entry, Part of) {
 }
 
 /// Writes the files of every part that there is. @return case.json, or nothing when cancelled.
-/// @param linked the image's file is there already.
-std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state, bool linked) {
+/// @param has_image the image's file is there already.
+std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state, bool has_image) {
   json parts = json::object();
   double done = 0.0;
   for (const Part part : all_parts()) {
     folder.context.progress(0.8 * done++ / static_cast<double>(all_parts().size()), "case.write");
     if (folder.context.cancelled()) return {};
     if (!is_kept(state, part)) continue;
-    const bool is_there = linked && part == Part(part::image);
+    const bool is_there = has_image && part == Part(part::image);
     json entry = is_there ? image_entry(*state[part::image]) : part.type().spec().save(state, folder);
     entry["revision"] = state.stamp(part).revision;
     entry["made_from"] = written(state.stamp(part));
@@ -88,10 +88,10 @@ std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state
 Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
                                  std::vector<std::string>* lost, const std::shared_ptr<const Image>& known);
 
-/// Compares what was written with what was to be. @param linked the image's file is that of the copy before:
-/// it was read back then, and its sum is still that. @throws FileError.
-void verify(const fs::path& folder, const fs::path& home, const CaseState& state, bool linked) {
-  const auto read = read_case(folder, home, RunContext(), nullptr, linked ? state[part::image] : nullptr);
+/// Compares what was written with what was to be. @param taken_over the image's file is that of an earlier
+/// case: it was read back then, and its sum is still that. @throws FileError.
+void verify(const fs::path& folder, const fs::path& home, const CaseState& state, bool taken_over) {
+  const auto read = read_case(folder, home, RunContext(), nullptr, taken_over ? state[part::image] : nullptr);
   const bool same = read && std::all_of(all_parts().begin(), all_parts().end(), [&](Part part) {
                       const PartSpec& spec = part.type().spec();
                       const bool kept = is_kept(state, part);
@@ -168,10 +168,8 @@ std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
   return notes;
 }
 
-namespace {
-
-bool save(const fs::path& given, const CaseState& state, const RunContext& context,
-          std::vector<std::string>* notes, SavedImage* saved) {
+bool save_case(const fs::path& given, const CaseState& state, const RunContext& context, SavedImage& saved,
+               std::vector<std::string>* notes) {
   const fs::path path = case_place(given);
   if (path.extension() != ".glisson")
     throw InputError(given.string(), "", "a case is a folder whose name ends in .glisson",
@@ -185,30 +183,27 @@ bool save(const fs::path& given, const CaseState& state, const RunContext& conte
   const fs::path fresh = temporary.path() / path.filename();
   fs::create_directory(fresh);
   if (fs::exists(path)) fs::permissions(fresh, fs::status(path).permissions());
-  const bool linked = saved != nullptr && saved->link(state, path, fresh);
-  auto document = write_parts({fresh, path, context, nullptr}, state, linked);
+  const bool taken_over = saved.take_over(state, path, fresh);
+  auto document = write_parts({fresh, path, context, nullptr}, state, taken_over);
   if (!document) return false;
   (*document)["files"] = list_files(fresh);
   write_json(fresh / "case.json", *document);
   context.progress(0.85, "case.verify");
-  verify(fresh, path, state, linked);
-  if (saved != nullptr && !linked) saved->remember(state, fresh);
+  verify(fresh, path, state, taken_over);
   if (context.cancelled()) return false;
+  SavedImage now;
+  now.remember(state, fresh, path);
   const std::vector<std::string> told = put_case(fresh, path);
+  saved = now;
   if (notes != nullptr) notes->insert(notes->end(), told.begin(), told.end());
   context.progress(1.0, "case.saved");
   return true;
 }
 
-}  // namespace
-
-bool save_case(const fs::path& given, const CaseState& state, const RunContext& context,
+bool save_case(const fs::path& path, const CaseState& state, const RunContext& context,
                std::vector<std::string>* notes) {
-  return save(given, state, context, notes, nullptr);
-}
-
-bool save_copy(const fs::path& path, const CaseState& state, const RunContext& context, SavedImage& saved) {
-  return save(path, state, context, nullptr, &saved);
+  SavedImage none;
+  return save_case(path, state, context, none, notes);
 }
 
 Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context,

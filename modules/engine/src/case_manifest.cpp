@@ -109,6 +109,13 @@ json list_files(const fs::path& folder) {
   return files;
 }
 
+std::string sum_as_listed(const fs::path& folder, const std::string& name) {
+  const json listed = files_of(folder);
+  if (!listed.contains(name)) return {};
+  const std::string sum = sum_of(folder / name);
+  return listed[name] == sum ? sum : std::string();
+}
+
 std::vector<std::string> changed_files(const fs::path& folder, const json& document) {
   std::vector<std::string> changed;
   const auto files = document.find("files");

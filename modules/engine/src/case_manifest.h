@@ -17,6 +17,9 @@ std::string sum_of(const std::filesystem::path& path);
 /// Each file below a folder but case.json, with a sum over what it holds, for case.json's "files".
 nlohmann::json list_files(const std::filesystem::path& folder);
 
+/// The sum of one file when it is what case.json lists; else, or where nothing is listed, empty.
+std::string sum_as_listed(const std::filesystem::path& folder, const std::string& name);
+
 /// The listed files that are no longer what was saved, or gone: somebody else changed them. None where an
 /// earlier edition listed nothing. @param document case.json.
 std::vector<std::string> changed_files(const std::filesystem::path& folder, const nlohmann::json& document);

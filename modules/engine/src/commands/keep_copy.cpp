@@ -18,9 +18,11 @@ CommandTraits KeepCopy::traits() const {
 }
 
 Cancellable<Applied> KeepCopy::apply(const CaseState& state, const RunContext& context) const {
-  SavedImage none;
-  if (!save_copy(folder / kCopyName, state, context, saved ? *saved : none)) return {};
   const auto& keeping = state[part::keeping];
+  SavedImage none;
+  SavedImage& known = saved ? *saved : none;
+  if (keeping && !known.knows(state)) known = keeping->image;
+  if (!save_case(folder / kCopyName, state, context, known)) return {};
   write_json(folder / kSaidName, {{"of", state.path.empty() ? "" : case_place(state.path).string()},
                                   {"edition", keeping ? keeping->edition : std::string()},
                                   {"saved", local_time_text("%Y-%m-%d %H:%M")}});

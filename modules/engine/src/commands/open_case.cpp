@@ -57,6 +57,7 @@ Cancellable<Applied> OpenCase::apply(const CaseState& before, const RunContext& 
   auto opened = read_steadily(path, *keeping, context, applied.notes);
   if (!opened) return {};
   applied.state = std::move(*opened);
+  keeping->image.remember(applied.state, keeping->folder, keeping->folder);
   applied.state[part::keeping] = keeping;
   applied.keeps_stamps = true;
   applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(applied.state)});

@@ -66,7 +66,8 @@ Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& c
     place = keeping->folder;
     applied.notes.push_back("case.saved_beside " + place.string());
   }
-  if (!engine::save_case(place, state, context, &applied.notes)) return {};
+  if (const auto& before = state[part::keeping]) keeping->image = before->image;
+  if (!engine::save_case(place, state, context, keeping->image, &applied.notes)) return {};
   keeping->edition = edition_on_disk(keeping->folder);
   applied.state.path = place;
   applied.state[part::keeping] = keeping;

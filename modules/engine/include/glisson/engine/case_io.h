@@ -8,6 +8,7 @@
 #include "glisson/core/run_context.h"
 #include "glisson/core/units.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/saved_image.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
@@ -33,6 +34,10 @@ bool is_case(const std::filesystem::path& path);
 /// @throws FileError, InputError (the path does not end in .glisson, or is something else than a case).
 bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context,
                std::vector<std::string>* notes = nullptr);
+
+/// As above, taking over the image's file where `saved` knows one; afterwards it knows this case's.
+bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context,
+               SavedImage& saved, std::vector<std::string>* notes = nullptr);
 
 /// Puts a case that was written whole in place of another one, in one step; what is not the case's stays.
 /// @param fresh on the same file system. @return notes, as save_case gives them. @throws FileError.

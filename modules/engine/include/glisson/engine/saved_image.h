@@ -10,24 +10,28 @@
 
 namespace glisson::engine {
 
-/// The image that an earlier copy holds: by far the largest part of a case and the one that never changes
-/// while somebody works. Remembers the very image (not its revision, which two cases may share) and the sum
-/// of its file, so that the next copy can take that file over by a second name for it.
+/// Which file holds the image: by far the largest part of a case and the one that never changes while
+/// somebody works. Remembers the very image (not its revision, which two cases may share), where its file is
+/// and the file's sum, so that the next save can take that file over instead of compressing the image again.
 class SavedImage {
  public:
-  /// Puts `former`'s file of the image into `fresh` when it holds the image of this state, to the byte.
-  /// False: it is to be written.
-  bool link(const CaseState& state, const std::filesystem::path& former, const std::filesystem::path& fresh);
-  /// The folder holds the state's image: it has just been written and read back.
-  void remember(const CaseState& state, const std::filesystem::path& folder);
+  /// Whether a file of this state's image is remembered.
+  bool knows(const CaseState& state) const;
+  /// Puts the file that is remembered into `fresh` when it holds the image of this state, to the byte: by a
+  /// second name for it where the case is to stand where that file is, else as a copy.
+  /// @param place where the case will stand. False: the image is to be written.
+  bool take_over(const CaseState& state, const std::filesystem::path& place,
+                 const std::filesystem::path& fresh) const;
+  /// The case in `folder` holds the state's image: it has just been read from there, or written and read
+  /// back. Nothing is remembered where its file is not the one that case.json lists.
+  /// @param place where that folder will stand.
+  void remember(const CaseState& state, const std::filesystem::path& folder,
+                const std::filesystem::path& place);
 
  private:
   std::weak_ptr<const Image> image_;
-  std::string sum_;
+  std::filesystem::path place_;
+  std::string sum_;  ///< empty: nothing is remembered
 };
-
-/// save_case for copies that are made over and over at one place, by one program.
-bool save_copy(const std::filesystem::path& path, const CaseState& state, const RunContext& context,
-               SavedImage& saved);
 
 }  // namespace glisson::engine

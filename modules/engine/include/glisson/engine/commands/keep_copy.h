@@ -12,7 +12,7 @@ namespace glisson::engine {
 /// Saves the case as it is to a recovery folder, and leaves the case and its own place alone.
 struct KeepCopy {
   std::filesystem::path folder;  ///< RecoveryFolder::path()
-  /// What the copy before holds, for all copies of one folder; null: each is written whole.
+  /// Which file holds the image, for all copies of one folder; null: each looks at the case's alone.
   std::shared_ptr<SavedImage> saved = nullptr;
 
   CommandTraits traits() const;

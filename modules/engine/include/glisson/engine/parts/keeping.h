@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/case_lock.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/saved_image.h"
 
 namespace glisson::engine {
 
@@ -18,6 +19,7 @@ struct Keeping {
   std::string edition;                   ///< that was read or written last; see edition_on_disk
   std::shared_ptr<const CaseLock> lock;  ///< null: it is open for reading
   std::optional<CaseOwner> writer;       ///< who else has it, when it is open for reading
+  SavedImage image;                      ///< which file holds the image
 };
 
 namespace part {
