@@ -9,7 +9,6 @@
 namespace glisson::experiments {
 namespace {
 
-constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres
 constexpr double kFactors[] = {0.4, 0.6, 0.8, 1.0, 1.25, 1.6, 2.5, 4.0};
 
 /// The share of scores from `limit` on.
@@ -23,8 +22,8 @@ double share_from(const std::vector<double>& scores, double limit) {
 }  // namespace
 
 void Roc::add(double score, double error, bool is_sound) {
-  if (error > kFar) far_.push_back(score);
-  if (error < kNear && is_sound) sound_.push_back(score);
+  if (error > kFarFrame) far_.push_back(score);
+  if (error < kNearFrame && is_sound) sound_.push_back(score);
 }
 
 double Roc::area() const {

@@ -10,6 +10,8 @@
 
 namespace glisson::experiments {
 
+inline constexpr double kFarFrame = 10e-3, kNearFrame = 3e-3;  ///< metres of error: over and under
+
 /// How well a number tells far frames from near ones, whatever the limit.
 class Roc {
  public:

@@ -9,9 +9,8 @@
 namespace glisson::experiments {
 namespace {
 
-constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres: frames over and under
-constexpr double kFrameRate = 30.0;           ///< of the films
-constexpr int kEnoughShown = 30;              ///< valid frames of a fault, to be compared with a frozen model
+constexpr double kFrameRate = 30.0;  ///< of the films
+constexpr int kEnoughShown = 30;     ///< valid frames of a fault, to be compared with a frozen model
 
 double share(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : 1.0; }
 
@@ -62,12 +61,12 @@ void FaultTally::add(const std::vector<JudgedFrame>& run) {
       shown_sum += judged.error;
       frozen_sum += judged.frozen;
     }
-    if (judged.error > kFar) {
+    if (judged.error > kFarFrame) {
       ++far;
       far_hidden += !valid;
       far_hidden_before += !judged.shown_before();
       if (first_far < 0) first_far = judged.frame;
-    } else if (judged.error < kNear) {
+    } else if (judged.error < kNearFrame) {
       ++near;
       near_valid += valid;
       near_sound += !judged.faulty;
@@ -84,7 +83,7 @@ void FaultTally::add_return(const std::vector<JudgedFrame>& run, int good_from) 
   if (good_from < 0) return;
   int first = run.back().frame + 1;
   for (const JudgedFrame& judged : run)
-    if (judged.frame >= good_from && judged.frame < first && judged.error < kFar && judged.is_valid())
+    if (judged.frame >= good_from && judged.frame < first && judged.error < kFarFrame && judged.is_valid())
       first = judged.frame;
   returned = std::max(returned, first - good_from);
 }
@@ -119,10 +118,10 @@ void LesionTally::add(const JudgedFrame& judged, bool is_sound) {
     const LesionVerdict& verdict = judged.overlay.lesions[i];
     const double error = judged.lesion_errors[i];
     const bool valid = verdict.level == Level::valid;
-    if (error > kFar) {
+    if (error > kFarFrame) {
       ++far;
       far_hidden += !valid;
-    } else if (error < kNear && is_sound) {
+    } else if (error < kNearFrame && is_sound) {
       ++near_sound;
       near_sound_valid += valid;
     }

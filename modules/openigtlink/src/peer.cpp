@@ -49,7 +49,7 @@ bool Peer::hear() {
 
 double Peer::stuck() const {
   if (outbox_.empty()) return 0.0;
-  return std::chrono::duration<double>(Clock::now() - moved_).count();
+  return seconds_since(moved_);
 }
 
 }  // namespace glisson::openigtlink

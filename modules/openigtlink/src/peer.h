@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
 
 #include "bulletin.h"
+#include "clock.h"
 #include "socket.h"
 
 namespace glisson::openigtlink {
@@ -16,7 +16,6 @@ namespace glisson::openigtlink {
 /// more is put on its way.
 class Peer {
  public:
-  using Clock = std::chrono::steady_clock;
   explicit Peer(Descriptor socket) : socket_(std::move(socket)) {}
 
   int number() const { return socket_.number(); }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "clock.h"
 #include "glisson/core/error.h"
 #include "incoming.h"
 #include "messages.h"
@@ -19,12 +20,6 @@
 
 namespace glisson::openigtlink {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point moment) {
-  return std::chrono::duration<double>(Clock::now() - moment).count();
-}
 
 /// One view as it came.
 struct View {

@@ -12,18 +12,13 @@
 #include <utility>
 
 #include "bulletin.h"
+#include "clock.h"
 #include "glisson/core/error.h"
 #include "peer.h"
 #include "socket.h"
 
 namespace glisson::openigtlink {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point moment) {
-  return std::chrono::duration<double>(Clock::now() - moment).count();
-}
 
 double seconds_since_1970() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();

@@ -8,6 +8,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "named.h"
 
 namespace glisson {
 namespace {
@@ -25,13 +26,6 @@ Eigen::Matrix<double, Size, 1> numbers(const json& object, const char* field) {
     throw std::invalid_argument(std::string(field) + " has another size");
   for (std::size_t i = 0; i < Size; ++i) result[static_cast<Eigen::Index>(i)] = list[i].get<double>();
   return result;
-}
-
-template <class All, class Code>
-auto named(const All& all, const Code& code, const std::string& text, const char* field) {
-  for (const auto one : all)
-    if (text == code(one)) return one;
-  throw std::invalid_argument(std::string(field) + " '" + text + "' is unknown");
 }
 
 CorrectionLine line_of(const json& object) {

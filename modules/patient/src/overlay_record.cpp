@@ -13,6 +13,7 @@
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
+#include "named.h"
 
 namespace glisson {
 namespace {
@@ -89,14 +90,6 @@ json verdict_line(const LesionVerdict& verdict, double per) {
   if (std::isfinite(verdict.support)) line["nearest_points"] = per * verdict.support;
   line["unseen_seconds"] = verdict.unseen;
   return line;
-}
-
-/// The one of `all` whose code this is. @throws std::invalid_argument none is.
-template <class All, class Code>
-auto named(const All& all, const Code& code, const std::string& text, const char* field) {
-  for (const auto one : all)
-    if (text == code(one)) return one;
-  throw std::invalid_argument(std::string(field) + " '" + text + "' is unknown");
 }
 
 double number(const json& object, const char* field) {
