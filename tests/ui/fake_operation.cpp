@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/commands/keep_copy.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -204,10 +205,11 @@ Cancellable<engine::Applied> FakeOperation::apply(const engine::CaseState& state
   }
   engine::Applied applied{state};
   const auto done =
-      try_change<engine::ImportImage, engine::ListSeries, engine::ReadImage, engine::SetSeeds,
-                 engine::Segment, engine::BuildModel, engine::SetLandmarks, engine::SetCalibration,
-                 engine::SetVideo, engine::LoadVideoFrame, engine::SetRegions, engine::Reconstruct,
-                 engine::Register, engine::RegisterAgain, engine::SaveCase>(applied, command, context);
+      try_change<engine::ImportImage, engine::ImportLabels, engine::ListSeries, engine::ReadImage,
+                 engine::SetSeeds, engine::Segment, engine::BuildModel, engine::SetLandmarks,
+                 engine::SetCalibration, engine::SetVideo, engine::LoadVideoFrame, engine::SetRegions,
+                 engine::Reconstruct, engine::Register, engine::RegisterAgain, engine::SaveCase>(
+          applied, command, context);
   if (!done) throw InputError("test", "", "this command is not part of the fake operation", "Use another");
   if (!*done) return {};
   return applied;
@@ -244,6 +246,11 @@ bool FakeOperation::change(engine::Applied& applied, const engine::ImportImage& 
   image.description = command.series;
   if (command.path.filename() == "unknown.nii") image.modality = command.modality.value_or(Modality::other);
   applied.state[part::image] = std::make_shared<const Image>(std::move(image));
+  return true;
+}
+
+bool FakeOperation::change(engine::Applied& applied, const engine::ImportLabels&, const RunContext&) const {
+  applied.notes = {"labels.other_frame"};
   return true;
 }
 

@@ -14,6 +14,7 @@
 namespace glisson::engine {
 struct BuildModel;
 struct ImportImage;
+struct ImportLabels;
 struct ListSeries;
 struct LoadVideoFrame;
 struct ReadImage;
@@ -77,6 +78,7 @@ class FakeOperation {
   static void require_readable(const std::filesystem::path& path);
   bool change(engine::Applied& applied, const engine::ReadImage& command, const RunContext&) const;
   bool change(engine::Applied& applied, const engine::ImportImage& command, const RunContext&) const;
+  bool change(engine::Applied& applied, const engine::ImportLabels& command, const RunContext&) const;
   bool change(engine::Applied& applied, const engine::ListSeries& command, const RunContext&) const;
   bool change(engine::Applied& applied, const engine::SetSeeds& command, const RunContext&) const;
   bool change(engine::Applied& applied, const engine::Segment&, const RunContext& context) const;

@@ -43,6 +43,7 @@ class WindowTest : public QObject, private OperatedWindow {
   void TheWheelScrollsAPanelAndTurnsNoSettingOnTheWay();
   void OpensWhatIsDropped();
   void ErrorsAreShownAndLeaveTheCase();
+  void WhatIsOddAboutAFileIsTold();
   void UnsavedChangesAreNotLostUnasked();
   void CancelLeavesTheCaseAsItWas();
   void EditMakesLaterStepsStale();
@@ -144,6 +145,16 @@ void WindowTest::ErrorsAreShownAndLeaveTheCase() {
   QVERIFY(window_->engine().state()[part::image] == before);
   QVERIFY(window_->status_text().contains(QStringLiteral("cut off after 12 bytes")));
   QVERIFY(window_->status_text().contains(QStringLiteral("Copy the file again")));
+}
+
+void WindowTest::WhatIsOddAboutAFileIsTold() {
+  open_ct();
+  QVERIFY(window_->findChild<QMessageBox*>() == nullptr);
+  window_->open("labels.seg.nrrd");
+  QVERIFY(settle());
+  const auto* told = window_->findChild<QMessageBox*>();
+  QVERIFY(told != nullptr && told->isVisible());
+  QVERIFY2(told->text().contains(QStringLiteral("frame of reference")), qPrintable(told->text()));
 }
 
 void WindowTest::UnsavedChangesAreNotLostUnasked() {

@@ -370,15 +370,12 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
     show_case();
     if (closes) close();  // and asks again where it has
   }
-  // Of a case or a volume: what is odd about it is told before work on it begins; of a save, what it kept.
-  const bool is_told =
-      outcome.traits.writes.has(part::image) || outcome.result.as<engine::CaseOnDisk>() != nullptr;
-  if (outcome.status == engine::Status::done && is_told && !outcome.notes.empty())
-    show_problem(notes_text(outcome.notes));
-  if (outcome.status != engine::Status::failed) return;
-  // A panel's own button shows its own error; what came from the menu or a drop has no other place.
+  // A panel's own button shows its own error and notes; what came from the menu or a drop has no other place.
   if (outcome.traits.notice != engine::Notice::files) return;
-  show_problem(error_text(outcome.error));
+  if (outcome.status == engine::Status::failed) show_problem(error_text(outcome.error));
+  // What is odd about a file is told before work on it begins; of a save or an export, what became otherwise.
+  if (outcome.status == engine::Status::done && !outcome.notes.empty())
+    show_problem(notes_text(outcome.notes));
 }
 
 QString MainWindow::status_text() const { return status_->text(); }
