@@ -3,6 +3,7 @@
 #include "glisson/registration/register_model.h"
 
 #include <QtTest>
+#include <cmath>
 #include <random>
 
 #include "glisson/core/error.h"
@@ -75,8 +76,10 @@ class RegisterModelTest : public QObject {
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
   void WhatIsLeftEmptyTheModelDecides();
+  void OneThreadGivesTheBitsOfTwo_data();
   void OneThreadGivesTheBitsOfTwo();
   void CancelGivesNothing();
+  void CancelEndsTheControlBesideTheRest();
 
  private:
   Registered registered(const RegisterOptions& options, const KnownOperations& known = {}) const {
@@ -261,15 +264,23 @@ void RegisterModelTest::WhatIsLeftEmptyTheModelDecides() {
   QVERIFY(published.registration.nodes_in_camera == registered(springs).registration.nodes_in_camera);
 }
 
-/// From the rigid start to what is expected of the error, with another look.
+void RegisterModelTest::OneThreadGivesTheBitsOfTwo_data() {
+  QTest::addColumn<bool>("joined");
+  QTest::newRow("one look: the control runs beside the rest") << false;
+  QTest::newRow("two looks: it comes after it") << true;
+}
+
+/// From the rigid start to what is expected of the error.
 void RegisterModelTest::OneThreadGivesTheBitsOfTwo() {
+  QFETCH(bool, joined);
   PatientModel model = model_;
   model.mesh.labels[200] = structure::kFirstLesion;
   const Pulled pulled(model);
   const auto made_on = [&](int threads) {
     RegisterOptions options = brief();
     options.start = RegisterOptions::Start::automatic;
-    options.looks = {phantom::patch(model, phantom::view(0.3).apply(model.mesh.vertices), {.seed = 2})};
+    if (joined)
+      options.looks = {phantom::patch(model, phantom::view(0.3).apply(model.mesh.vertices), {.seed = 2})};
     options.threads = threads;
     return register_and_examine(model, pulled.cloud, options, RunContext()).value();
   };
@@ -285,6 +296,7 @@ void RegisterModelTest::OneThreadGivesTheBitsOfTwo() {
     QVERIFY(a.rivals[k].nodes_in_camera == b.rivals[k].nodes_in_camera);
     QCOMPARE(a.rivals[k].probability, b.rivals[k].probability);
   }
+  QVERIFY(std::isfinite(one.findings.mirror_odds));
   QVERIFY(one.findings.mirror_odds == two.findings.mirror_odds);
   // Two operations of one kind are the same, whoever has simulated them.
   OperationOptions slow;
@@ -305,6 +317,22 @@ void RegisterModelTest::CancelGivesNothing() {
       options.operations = operations;
       QVERIFY(!register_model(model_, cloud_, options, RunContext({}, cancel, 1)));
     }
+}
+
+void RegisterModelTest::CancelEndsTheControlBesideTheRest() {
+  const auto cancel = std::make_shared<CancelFlag>();
+  int told_after = 0;
+  const RunContext context(
+      [&](double, std::string_view stage) {
+        told_after += cancel->requested();
+        if (stage == "registration.forces" || stage == "registration.elastic") cancel->request();
+      },
+      cancel, 1);
+  RegisterOptions options = brief();
+  options.start = RegisterOptions::Start::automatic;
+  QVERIFY(!register_and_examine(model_, cloud_, options, context));
+  QVERIFY(cancel->requested());
+  QVERIFY2(told_after < 20, qPrintable(QString::number(told_after)));  // it did not go on to the end
 }
 
 QTEST_APPLESS_MAIN(RegisterModelTest)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <string>
 #include <utility>
@@ -211,10 +212,10 @@ void tell_once(std::vector<std::string>& doubts) {
   doubts = std::move(told);
 }
 
-/// Logarithm of the odds of a shape of this cost against the best of the cloud's mirror image.
-Cancellable<double> mirror_odds(const PatientModel& model, const LabelledCloud& cloud,
-                                const RegisterOptions& options, const ElasticOptions& elastic, double cost,
-                                const RunContext& context) {
+/// What the best shape for the cloud's mirror image costs: a control, which no organ explains.
+Cancellable<double> mirrored_cost(const PatientModel& model, const LabelledCloud& cloud,
+                                  const RegisterOptions& options, const ElasticOptions& elastic,
+                                  const RunContext& context) {
   constexpr std::size_t kOthers = 1;
   constexpr int kIterations = 40;
   const LabelledCloud image = mirrored(cloud);
@@ -227,7 +228,7 @@ Cancellable<double> mirror_odds(const PatientModel& model, const LabelledCloud& 
       fit_shapes(model, *elastic.prior, image, starts_of(start->camera_from_ct, start->alternatives), control,
                  context.part(0.6, 1.0));
   if (!shapes) return {};
-  return 0.5 * (shapes->best().cost - cost);
+  return shapes->best().cost;
 }
 
 }  // namespace
@@ -363,7 +364,21 @@ class Run {
                              up_to(done_ + 0.3 * (1.0 - done_)));
     if (!shapes) return false;
     shapes_ = std::move(*shapes);
+    begin_control();
     return looks_.empty() || compare_looks();
+  }
+
+  /// The control waits for nothing but the prior, and what follows is one thread's work: with two it runs
+  /// beside it. Several looks are first brought to where the shape has found them.
+  void begin_control() {
+    if (!is_sought() || options_.threads < 2 || !looks_.empty()) return;
+    RegisterOptions options = options_;
+    ElasticOptions elastic = elastic_;
+    options.rigid.threads = elastic.shape.threads = 1;
+    control_ = std::async(std::launch::async,
+                          [&model = model_, cloud = cloud_, options, elastic, context = context_.quiet()] {
+                            return mirrored_cost(model, cloud, options, elastic, context);
+                          });
   }
 
   /// Neighbouring points share errors: votes are counted as for other places.
@@ -376,7 +391,8 @@ class Run {
   }
 
   bool deform() {
-    const double judged = done_ + 0.7 * (1.0 - done_);  // the control takes about as long as the start
+    // Where the control comes after it, it takes about as long as the start.
+    const double judged = done_ + (control_.valid() ? 0.9 : 0.7) * (1.0 - done_);
     const bool either = options_.method == Method::automatic && shapes_.has_value();
     Cancellable<Registration> made;
     if (either || takes_forces(options_.method, model_, elastic_))
@@ -412,9 +428,10 @@ class Run {
     examined_.findings = *findings;
     examined_.findings.elsewhere = elsewhere(registration_.nodes_in_camera, rivals);
     if (is_sought() && shapes_) {
-      const auto odds = mirror_odds(model_, cloud_, options_, elastic_, shapes_->best().cost, up_to(1.0));
-      if (!odds) return false;
-      examined_.findings.mirror_odds = *odds;
+      const auto cost =
+          control_.valid() ? control_.get() : mirrored_cost(model_, cloud_, options_, elastic_, up_to(1.0));
+      if (!cost) return false;
+      examined_.findings.mirror_odds = 0.5 * (*cost - shapes_->best().cost);
     }
     if (cloud_.look_count() > 1)
       result().look_distances = distances_of_looks(model_, registration_.nodes_in_camera, cloud_);
@@ -473,6 +490,7 @@ class Run {
   std::optional<ShapeFits> shapes_;
   Registration registration_;
   ExaminedRegistration examined_;
+  std::future<Cancellable<double>> control_;  ///< mirrored_cost(), where it runs beside the rest
 };
 
 }  // namespace
