@@ -374,7 +374,9 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   if (outcome.traits.notice != engine::Notice::files) return;
   if (outcome.status == engine::Status::failed) show_problem(error_text(outcome.error));
   // What is odd about a file is told before work on it begins; of a save or an export, what became otherwise.
-  if (outcome.status == engine::Status::done && !outcome.notes.empty())
+  // A model has a sheet of its own for it.
+  const bool has_sheet = outcome.traits.writes.has(part::model) && !outcome.traits.replaces_case();
+  if (outcome.status == engine::Status::done && !outcome.notes.empty() && !has_sheet)
     show_problem(notes_text(outcome.notes));
 }
 
