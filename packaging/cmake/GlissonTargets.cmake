@@ -1,8 +1,9 @@
 # glisson_module(NAME fem SOURCES ... [PUBLIC ...] [PRIVATE ...] [NO_PCH])
 #   a static library glisson::fem with include root modules/fem/include.
 # glisson_ui(NAME shell ... [NO_WIDGETS]) the same under ui/, with moc.
-# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [DISPLAY] [NO_PCH])
+# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [DISPLAY] [LONG] [NO_PCH])
 #   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
+#   LONG begins it before the others, so that none runs on alone at the end.
 
 # Every unit of a target reads what the owner of a precompiled header built.
 function(_glisson_reuse_pch target owner)
@@ -43,7 +44,7 @@ function(glisson_ui)
 endfunction()
 
 function(glisson_test)
-  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" target "${ARG_NAME}_test")
   get_filename_component(stem "${ARG_NAME}" NAME)
   # A test holds its class itself, so moc has one file to read: automoc would add a unit and a scan to each program.
@@ -90,6 +91,9 @@ function(glisson_test)
     endif()
   endif()
   set_tests_properties(${ARG_NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
+  if(ARG_LONG)
+    set_tests_properties(${ARG_NAME} PROPERTIES COST 1)
+  endif()
 endfunction()
 
 # What tests are compiled with. Qt6::Test would define the folder of each test, and no two could share a header.

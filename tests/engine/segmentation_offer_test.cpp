@@ -43,6 +43,14 @@ Image small_ct() {
   return image;
 }
 
+/// Coarse: what is grown is soon there, and how well is not what these tests ask.
+Segment growing(OverHandWork over_hand_work) {
+  Segment segment;
+  segment.options.working_spacing_mm = 4.0;
+  segment.over_hand_work = over_hand_work;
+  return segment;
+}
+
 /// Background: it is taken out of the liver.
 editing::Edit ball(const Eigen::Vector3d& centre_mm, Label label) {
   editing::Paint paint;
@@ -95,7 +103,7 @@ void SegmentationOfferTest::init() {
   segmentation::Seeds seeds;
   seeds.liver = PointsIn<CtFrame>::Zero(1, 3);
   QCOMPARE(done(SetSeeds{seeds}).status, Status::done);
-  QCOMPARE(done(Segment{}).status, Status::done);
+  QCOMPARE(done(growing(OverHandWork::refuse)).status, Status::done);
 }
 
 void SegmentationOfferTest::correct_and_offer() {
@@ -103,7 +111,7 @@ void SegmentationOfferTest::correct_and_offer() {
   QCOMPARE(done(EditLabels{ball(kBite, structure::kBackground)}).status, Status::done);
   QCOMPARE(at(kAdded), structure::kParenchyma);
   QCOMPARE(at(kBite), structure::kBackground);
-  const Outcome outcome = done(Segment{{}, OverHandWork::offer});
+  const Outcome outcome = done(growing(OverHandWork::offer));
   QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
   QVERIFY(state()[part::offer] != nullptr);
 }
@@ -128,7 +136,7 @@ void SegmentationOfferTest::WhatIsOfferedIsToldAndChangesNothing() {
   QCOMPARE(shift.gained, bitten);
   QCOMPARE(offer.difference.hand_voxels, added + bitten);
   QCOMPARE(offer.difference.hand_changed, added + bitten);
-  const auto figures = done(Segment{{}, OverHandWork::offer}).figures;
+  const auto figures = done(growing(OverHandWork::offer)).figures;
   QCOMPARE(figures.at("gained_parenchyma_ml"), 0.027 * static_cast<double>(bitten));
   QCOMPARE(figures.at("lost_parenchyma_ml"), 0.027 * static_cast<double>(added));
   QCOMPARE(figures.at("hand_corrected_voxels_changed"), static_cast<double>(added + bitten));
@@ -156,7 +164,7 @@ void SegmentationOfferTest::CorrectionsAreKeptVoxelByVoxelAndAreAHandsStill() {
   seeds.background = PointsIn<CtFrame>::Zero(1, 3);
   seeds.background.row(0) = Eigen::RowVector3d(0.0, 0.0, -0.033);
   QCOMPARE(done(SetSeeds{seeds}).status, Status::done);
-  QCOMPARE(done(Segment{{}, OverHandWork::offer}).status, Status::done);
+  QCOMPARE(done(growing(OverHandWork::offer)).status, Status::done);
   const LabelVolume offered = state()[part::offer]->labels.voxels;
   QCOMPARE(done(DecideSegmentation{Choice::keep_hand}).status, Status::done);
   QVERIFY(labels() == keeping_hand(mine, offered, hand));
@@ -181,17 +189,17 @@ void SegmentationOfferTest::CorrectionsAreKeptAtOnceWhereThatWasSaid() {
   const LabelVolume grown = labels();
   correct_and_offer();
   const LabelVolume mine = labels();
-  const Outcome kept = done(Segment{{}, OverHandWork::keep_hand});
+  const Outcome kept = done(growing(OverHandWork::keep_hand));
   QCOMPARE(kept.status, Status::done);
   QVERIFY(labels() == mine && !state()[part::offer]);
   QVERIFY(kept.figures.at("hand_corrected_voxels_changed") > 40.0);
-  const Outcome replaced = done(Segment{{}, OverHandWork::replace});
+  const Outcome replaced = done(growing(OverHandWork::replace));
   QVERIFY(labels() == grown);
   QCOMPARE(replaced.figures.at("lost_parenchyma_ml"), kept.figures.at("lost_parenchyma_ml"));
 }
 
 void SegmentationOfferTest::WithoutCorrectionsNothingIsOffered() {
-  QCOMPARE(done(Segment{{}, OverHandWork::offer}).status, Status::done);
+  QCOMPARE(done(growing(OverHandWork::offer)).status, Status::done);
   QVERIFY(!state()[part::offer]);
 }
 
@@ -200,7 +208,7 @@ void SegmentationOfferTest::WhatDiffersNowhereIsNotAskedAbout() {
   QCOMPARE(done(EditLabels{ball({0, 0, 0}, structure::kBackground)}).status, Status::done);
   QCOMPARE(done(EditLabels{ball({0, 0, 0}, structure::kParenchyma)}).status, Status::done);
   QVERIFY(!Segment{}.would_replace(state()).empty());
-  QCOMPARE(done(Segment{{}, OverHandWork::offer}).status, Status::done);
+  QCOMPARE(done(growing(OverHandWork::offer)).status, Status::done);
   QVERIFY(!state()[part::offer]);
 }
 

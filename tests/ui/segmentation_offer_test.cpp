@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segment over labels that a hand has corrected: what would change is seen, and the person decides.
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -45,6 +46,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
 void SegmentationOfferTest::correct_and_grow() {
   correct_by_hand();
   seed_liver();
+  find<QDoubleSpinBox>("segment_resolution")->setValue(4.0);  // soon there
   grow();
   QVERIFY(waits());
 }
