@@ -9,7 +9,9 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QTranslator>
 #include <QtTest>
 
