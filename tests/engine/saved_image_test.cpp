@@ -2,7 +2,10 @@
 // A save takes over the image's file where it is the same image, to the byte, and writes it anew otherwise.
 #include "glisson/engine/saved_image.h"
 
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <QtTest>
 
@@ -89,6 +92,7 @@ class SavedImageTest : public QObject {
   void WhereNothingIsListedItIsWrittenAnew();
   void RecoveryCopiesTakeItOver();
   void ATouchedRecoveryCopyIsWrittenAnew();
+  void KilledAtAnyMomentTheCaseHasItsImage();
 
  private:
   fs::path place(const char* name = "a.glisson") const { return folder_->path() / name; }
@@ -230,6 +234,45 @@ void SavedImageTest::ATouchedRecoveryCopyIsWrittenAnew() {
     script.run(KeepCopy{own.path(), saved});
     QVERIFY(holds_image(copy, script.state()));
   }
+}
+
+void SavedImageTest::KilledAtAnyMomentTheCaseHasItsImage() {
+  script_->run(seeds(0.1));
+  script_->run(SaveCase{place()});
+  SavedImage saved;
+  saved.remember(state(), place(), place());
+  script_->run(seeds(0.2));
+  const auto first = file_at(image_of(place()));
+  int killed = 0;
+  // A child saves and is killed when its progress has been told the n-th time, until one comes through.
+  for (bool completed = false; !completed && killed < 100;) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      int told = 0;
+      const RunContext context(
+          [&](double, std::string_view) {
+            if (++told > killed) ::kill(::getpid(), SIGKILL);
+          },
+          nullptr, 1);
+      try {
+        save_case(place(), state(), context, saved);
+      } catch (...) {
+        ::_exit(3);
+      }
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    completed = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    QVERIFY(completed || WIFSIGNALED(status));
+    killed += completed ? 0 : 1;
+    QVERIFY(holds_image(place(), state()));  // opening it sweeps what the killed one left
+    QVERIFY(file_at(image_of(place())) == first);
+    QCOMPARE(fs::hard_link_count(image_of(place())), std::uintmax_t{1});
+    const double seed = seed_on_disk(place());
+    QVERIFY(seed == 0.2 || (seed == 0.1 && !completed));
+  }
+  QVERIFY2(killed >= 3 && killed < 100, qPrintable(QString::number(killed)));  // it was killed on the way
 }
 
 QTEST_APPLESS_MAIN(SavedImageTest)
