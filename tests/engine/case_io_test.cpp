@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/case_io.h"
 
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <QtTest>
 
 #include <fstream>
@@ -23,6 +19,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
+#include "killed_child.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -185,25 +182,8 @@ void CaseIoTest::ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne() {
   bool completed = false;
   int survivors = 0;
   for (int moment = 1; !completed && moment < 100; ++moment) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      int told = 0;
-      const RunContext context(
-          [&](double, std::string_view) {
-            if (++told == moment) ::kill(::getpid(), SIGKILL);
-          },
-          nullptr, 1);
-      try {
-        save_case(path, next, context);
-      } catch (...) {
-        ::_exit(3);
-      }
-      ::_exit(0);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    completed = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    QVERIFY(completed || WIFSIGNALED(status));
+    completed =
+        test::comes_through(moment, [&](const RunContext& context) { save_case(path, next, context); });
     const auto read = open_case(path, RunContext());
     const double edge = (*read)[part::model]->model.mesh.vertices(1, 0);
     QVERIFY(std::abs(edge - 0.2) < 1e-9 || std::abs(edge - 0.4) < 1e-9);

@@ -120,6 +120,7 @@ class LabelsTest : public QObject {
   void WhatAHandCorrectedIsReplacedOnlyWhenThatIsSaid();
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen_data() { both_runners(); }
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen();
+  void NoContourIsDrawnWhereNobodyLooks();
 };
 
 void LabelsTest::AnEditIsAStepThatCanBeUndoneAndRedone() {
@@ -481,6 +482,22 @@ void LabelsTest::TheContourIsSeenWhileItEvolvesAndIsGoneThen() {
   QCOMPARE(done(*engine, Segment{}).status, Status::cancelled);
   QCOMPARE(seen, (std::vector<long>{1, 2, 3}));
   QVERIFY(!engine->snapshot()->evolving);
+}
+
+void LabelsTest::NoContourIsDrawnWhereNobodyLooks() {
+  std::vector<bool> is_asked_for;
+  for (const bool somebody_looks : {false, true}) {
+    Engine::Options options;
+    options.runner = Runner::inline_;
+    if (somebody_looks) options.wake = [] {};
+    options.apply = [&](const CaseState&, const Command&, const RunContext&, const Services& services) {
+      is_asked_for.push_back(services.show_evolving != nullptr);
+      return Cancellable<Applied>();
+    };
+    Engine engine(std::move(options));
+    engine.wait(engine.post(UndoLabels{}));
+  }
+  QCOMPARE(is_asked_for, (std::vector<bool>{false, true}));
 }
 
 QTEST_APPLESS_MAIN(LabelsTest)

@@ -2,10 +2,7 @@
 // A save takes over the image's file where it is the same image, to the byte, and writes it anew otherwise.
 #include "glisson/engine/saved_image.h"
 
-#include <signal.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <QtTest>
 
@@ -25,6 +22,7 @@
 #include "glisson/engine/recovery.h"
 #include "glisson/engine/script.h"
 #include "glisson/volume/io.h"
+#include "killed_child.h"
 #include "plain_ct.h"
 #include "seeded_case.h"
 
@@ -244,27 +242,9 @@ void SavedImageTest::KilledAtAnyMomentTheCaseHasItsImage() {
   script_->run(seeds(0.2));
   const auto first = file_at(image_of(place()));
   int killed = 0;
-  // A child saves and is killed when its progress has been told the n-th time, until one comes through.
   for (bool completed = false; !completed && killed < 100;) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      int told = 0;
-      const RunContext context(
-          [&](double, std::string_view) {
-            if (++told > killed) ::kill(::getpid(), SIGKILL);
-          },
-          nullptr, 1);
-      try {
-        save_case(place(), state(), context, saved);
-      } catch (...) {
-        ::_exit(3);
-      }
-      ::_exit(0);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    completed = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    QVERIFY(completed || WIFSIGNALED(status));
+    completed = test::comes_through(
+        killed + 1, [&](const RunContext& context) { save_case(place(), state(), context, saved); });
     killed += completed ? 0 : 1;
     QVERIFY(holds_image(place(), state()));  // opening it sweeps what the killed one left
     QVERIFY(file_at(image_of(place())) == first);

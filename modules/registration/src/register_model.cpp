@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <string>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
 #include "glisson/registration/verdict.h"
+#include "mirror_control.h"
 
 namespace glisson::registration {
 namespace {
@@ -212,25 +212,6 @@ void tell_once(std::vector<std::string>& doubts) {
   doubts = std::move(told);
 }
 
-/// What the best shape for the cloud's mirror image costs: a control, which no organ explains.
-Cancellable<double> mirrored_cost(const PatientModel& model, const LabelledCloud& cloud,
-                                  const RegisterOptions& options, const ElasticOptions& elastic,
-                                  const RunContext& context) {
-  constexpr std::size_t kOthers = 1;
-  constexpr int kIterations = 40;
-  const LabelledCloud image = mirrored(cloud);
-  auto start = align_rigid(model, image, options.rigid, context.part(0.0, 0.6));
-  if (!start) return {};
-  start->alternatives.resize(std::min(start->alternatives.size(), kOthers));
-  ShapeFitOptions control = elastic.shape;
-  control.max_iterations = std::min(control.max_iterations, kIterations);
-  const auto shapes =
-      fit_shapes(model, *elastic.prior, image, starts_of(start->camera_from_ct, start->alternatives), control,
-                 context.part(0.6, 1.0));
-  if (!shapes) return {};
-  return shapes->best().cost;
-}
-
 }  // namespace
 
 bool takes_forces(Method method, const PatientModel& model, const ElasticOptions& elastic) {
@@ -372,13 +353,7 @@ class Run {
   /// beside it. Several looks are first brought to where the shape has found them.
   void begin_control() {
     if (!is_sought() || options_.threads < 2 || !looks_.empty()) return;
-    RegisterOptions options = options_;
-    ElasticOptions elastic = elastic_;
-    options.rigid.threads = elastic.shape.threads = 1;
-    control_ = std::async(std::launch::async,
-                          [&model = model_, cloud = cloud_, options, elastic, context = context_.quiet()] {
-                            return mirrored_cost(model, cloud, options, elastic, context);
-                          });
+    control_.begin_beside(model_, cloud_, options_, elastic_, context_);
   }
 
   /// Neighbouring points share errors: votes are counted as for other places.
@@ -392,7 +367,7 @@ class Run {
 
   bool deform() {
     // Where the control comes after it, it takes about as long as the start.
-    const double judged = done_ + (control_.valid() ? 0.9 : 0.7) * (1.0 - done_);
+    const double judged = done_ + (control_.has_begun() ? 0.9 : 0.7) * (1.0 - done_);
     const bool either = options_.method == Method::automatic && shapes_.has_value();
     Cancellable<Registration> made;
     if (either || takes_forces(options_.method, model_, elastic_))
@@ -428,8 +403,7 @@ class Run {
     examined_.findings = *findings;
     examined_.findings.elsewhere = elsewhere(registration_.nodes_in_camera, rivals);
     if (is_sought() && shapes_) {
-      const auto cost =
-          control_.valid() ? control_.get() : mirrored_cost(model_, cloud_, options_, elastic_, up_to(1.0));
+      const auto cost = control_.cost(model_, cloud_, options_, elastic_, up_to(1.0));
       if (!cost) return false;
       examined_.findings.mirror_odds = 0.5 * (*cost - shapes_->best().cost);
     }
@@ -490,7 +464,7 @@ class Run {
   std::optional<ShapeFits> shapes_;
   Registration registration_;
   ExaminedRegistration examined_;
-  std::future<Cancellable<double>> control_;  ///< mirrored_cost(), where it runs beside the rest
+  MirrorControl control_;
 };
 
 }  // namespace

@@ -22,7 +22,11 @@ Cancellable<CaseState> read_steadily(const std::filesystem::path& path, Keeping&
     std::vector<std::string> lost;
     keeping.edition = edition_on_disk(keeping.folder);
     auto opened = engine::open_case(path, context, &lost);
-    if (opened && trial < kTrials && edition_on_disk(keeping.folder) != keeping.edition) continue;
+    if (opened) keeping.image.remember(*opened, keeping.folder, keeping.folder);
+    if (opened && edition_on_disk(keeping.folder) != keeping.edition) {
+      keeping.image = {};  // its file may be that of the other edition
+      if (trial < kTrials) continue;
+    }
     notes.insert(notes.end(), lost.begin(), lost.end());
     return opened;
   }
@@ -57,7 +61,6 @@ Cancellable<Applied> OpenCase::apply(const CaseState& before, const RunContext& 
   auto opened = read_steadily(path, *keeping, context, applied.notes);
   if (!opened) return {};
   applied.state = std::move(*opened);
-  keeping->image.remember(applied.state, keeping->folder, keeping->folder);
   applied.state[part::keeping] = keeping;
   applied.keeps_stamps = true;
   applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(applied.state)});
