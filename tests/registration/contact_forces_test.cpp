@@ -282,7 +282,8 @@ class ContactForcesTest : public QObject {
     for (double& value : truth.reshaped<Eigen::RowMajor>()) file >> value, value *= 1e-3;
     const auto fit = fit_contact_forces(model, cloud, {}, options, RunContext());
     const double error = 1e3 * (fit->nodes_in_camera - truth).rowwise().norm().mean();
-    QVERIFY2(error < 0.1, qPrintable(QString("%1 mm").arg(error)));
+    QVERIFY2(error < 0.02, qPrintable(QString("%1 mm").arg(error)));  // 0.04 where the last stage ends
+    QVERIFY(fit->termination == Termination::converged);
     QVERIFY(fit->laws[static_cast<std::size_t>(fit->chosen)].material.law == fem::BodyLaw::linear);
   }
 };

@@ -73,6 +73,7 @@ class RegisterModelTest : public QObject {
   void ShapesAreFoundWithoutAVenaCava();
   void AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate();
   void AutomaticStartIsTheRigidOne();
+  void NothingIsJudgedByAPlaceThatNobodyHasGiven();
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
   void WhatIsLeftEmptyTheModelDecides();
@@ -209,6 +210,30 @@ void RegisterModelTest::AutomaticStartIsTheRigidOne() {
   // Its doubts come first.
   QVERIFY(made.registration.doubts.size() >= start->doubts.size());
   QVERIFY(std::equal(start->doubts.begin(), start->doubts.end(), made.registration.doubts.begin()));
+}
+
+/// A sequence in the model's own frame, as foreign ones are: its origin lies in the organ, and half of the
+/// cloud would show its back to a camera there.
+void RegisterModelTest::NothingIsJudgedByAPlaceThatNobodyHasGiven() {
+  PatientModel bare = model_;
+  bare.vessels.clear();
+  bare.landmarks = {};
+  LabelledCloud cloud;
+  cloud.points = bare.mesh.vertices(bare.surface.node_of_vertex, Eigen::all);
+  RegisterOptions options = brief();
+  options.landmarks_are_placed = false;
+  options.fixed_nodes = {bare.surface.node_of_vertex.front()};
+  const auto doubts_turned = [&](RegisterOptions::Start start) {
+    options.start = start;
+    options.given = {};
+    const auto examined = register_and_examine(bare, cloud, options, RunContext());
+    const auto& doubts = examined->registered.registration.doubts;
+    if (start == RegisterOptions::Start::none && !std::isnan(examined->findings.hidden)) return true;
+    return std::any_of(doubts.begin(), doubts.end(),
+                       [](const std::string& doubt) { return doubt.starts_with("points_turned"); });
+  };
+  QVERIFY(doubts_turned(RegisterOptions::Start::given));  // a camera in the origin could not have seen it
+  QVERIFY(!doubts_turned(RegisterOptions::Start::none));
 }
 
 void RegisterModelTest::OptionsThatAreUsedAreChecked() {

@@ -54,6 +54,28 @@ class Fits {
     return !cancelled_;
   }
 
+  /// Laws that were still moving begin again where the most probable one has ended. The better of both stays.
+  /// Not beside operations, as ForceFitter::settle().
+  bool settle(double from, double to) {
+    if (problem_.options.prior) return true;
+    std::vector<std::size_t> moving;
+    for (std::size_t k = 0; k < done_; ++k) {
+      const LawFit& law = fitters_[k]->law();
+      const bool is_settled = k == best_index() || law.termination == Termination::converged;
+      if (is_settled || law.ground != best().law().ground) continue;
+      moving.push_back(k);
+      add(law.material, law.ground);
+      begin_at_best();
+    }
+    const std::size_t first = done_;
+    if (!run(from, to)) return false;
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      if (score(fitters_[first + i]->law()) > score(fitters_[moving[i]]->law()))
+        std::swap(fitters_[first + i], fitters_[moving[i]]);
+    fitters_.resize(done_ = first);
+    return true;
+  }
+
   const ForceFitter& best() const { return *fitters_[best_index()]; }
 
   /// The most probable law's, and what the others say of it.
@@ -139,7 +161,7 @@ Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const
   }
   for (const auto& material : options.materials)
     if (!problem.grounded || material != options.materials.back()) fits.add(material, ground);
-  if (!fits.run(problem.grounded ? 0.4 : 0.0, 0.7)) return std::nullopt;
+  if (!fits.run(problem.grounded ? 0.4 : 0.0, 0.6) || !fits.settle(0.6, 0.7)) return std::nullopt;
   fem::BodyMaterial material = fits.best().law().material;
   if (problem.free_pose)
     for (const ContactForceOptions::Place& place : options.other_places) {

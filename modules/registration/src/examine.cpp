@@ -108,9 +108,11 @@ Cancellable<Findings> examine(const Examined& examined, const RunContext& contex
   MovingSurface surface(examined.model, SurfaceDetail::fine);
   const Points& final_nodes = examined.registration.nodes_in_camera;
   surface.move(final_nodes);
-  findings.hidden = hidden_share(surface, cloud, context);
+  if (examined.in_cameras_frame) findings.hidden = hidden_share(surface, cloud, context);
   if (context.cancelled()) return std::nullopt;
   look_at_pairs(surface, cloud, findings);
+  if (!examined.in_cameras_frame)
+    findings.hidden = findings.turned = std::numeric_limits<double>::quiet_NaN();
   if (examined.shapes != nullptr) {
     const ShapeFit& best = examined.shapes->best();
     findings.forced = (final_nodes - best.nodes_in_camera).rowwise().norm().mean();

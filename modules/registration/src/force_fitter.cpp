@@ -23,6 +23,7 @@ constexpr int kRefined = 4;     ///< places of the strongest forces that get fin
 constexpr double kRadiusPerSigma = 5.0;  ///< of the finest patches
 constexpr int kHalvings = 6;
 constexpr double kNoiseAtMost = 2.5e-3;  ///< m
+constexpr int kSettling = 5;             ///< stages after the last, at most
 
 std::vector<char> fixed_of(const fem::ElasticBody& body) {
   std::vector<char> fixed;
@@ -385,6 +386,21 @@ bool ForceFitter::run(const RunContext& context, const std::function<void()>& ad
     advance();
     // Below the noise the evidence falls, and goes on falling. Far from it a stage may be at fault.
     if (sigma < kNoiseAtMost && now_.law.log_evidence < best_.law.log_evidence) break;
+  }
+  return settle(context);
+}
+
+/// Goes on where the most probable stage was still moving, as long as that makes it more probable. Not beside
+/// operations: there a last stage moves by what the model does not know, not towards what is seen.
+bool ForceFitter::settle(const RunContext& context) {
+  if (problem_.options.prior) return true;
+  for (int round = 0; round < kSettling && best_.law.termination != Termination::converged; ++round) {
+    const double before = best_.law.log_evidence;
+    if (!std::isfinite(before)) return true;
+    now_ = best_;
+    factorised_ = false;
+    if (!stage(best_.law.sigma, context)) return false;
+    if (!(best_.law.log_evidence > before)) return true;
   }
   return true;
 }

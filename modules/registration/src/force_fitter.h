@@ -76,6 +76,7 @@ class ForceFitter {
   /// The rest shape that amplitudes of the modes make.
   Points shape(const Eigen::VectorXd& amplitudes) const;
   bool stage(double sigma, const RunContext& context);
+  bool settle(const RunContext& context);
   double step(const EvidencePosterior& found, const Points& relax);
   /// Of the pose and of further looks that are found with it.
   Eigen::Index pose_columns() const;

@@ -397,7 +397,8 @@ class Run {
         error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals, context_));
     if (context_.cancelled()) return false;
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
-    auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error},
+    auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error,
+                             options_.start != Start::none},
                             context_.quiet());
     if (!findings) return false;
     examined_.findings = *findings;

@@ -24,6 +24,9 @@ struct Examined {
   const Registration& registration;
   const ShapeFits* shapes = nullptr;  ///< null: there was no prior
   const ErrorModel& error;
+  /// Whether the cloud's frame is that of the camera that saw it. False: what needs to know where it stood is
+  /// not asked (hidden, turned: not a number).
+  bool in_cameras_frame = true;
 };
 /// All but mirror_odds. @throws InputError the cloud's as in prepare_cloud.
 Cancellable<Findings> examine(const Examined& examined, const RunContext& context = {});

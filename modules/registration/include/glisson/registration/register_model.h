@@ -38,9 +38,11 @@ struct RegisterOptions {
   Method method = Method::automatic;
   enum class Start {
     automatic,  ///< align_rigid
-    none,       ///< the model is in the camera's frame already
-    near,       ///< align_rigid_near: from where a hand has put the model, say
-    given       ///< as it is
+    /// The model is in the cloud's frame already. Nobody says that a camera stood in its origin: what can be
+    /// judged only by where it stood is not.
+    none,
+    near,  ///< align_rigid_near: from where a hand has put the model, say
+    given  ///< as it is
   };
   Start start = Start::automatic;
   CameraFromCt given;  ///< for Start::near and Start::given
