@@ -4,7 +4,6 @@
 
 #include "cli.h"
 #include "commands.h"
-#include "plot.h"
 
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/parts/model.h"
@@ -13,6 +12,7 @@
 #include "glisson/experiments/transfer_study.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/built_in_atlas.h"
+#include "glisson/ui/common/plot.h"
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::app {
@@ -22,7 +22,7 @@ namespace {
 /// A figure with its picture.
 struct Drawn {
   experiments::PaperFigure figure;
-  std::vector<Plot> plots;
+  std::vector<ui::Plot> plots;
 };
 
 /// Millimetres; below 0 (nothing is drawn) where it is not known.
@@ -40,20 +40,20 @@ QString support_text(experiments::Support support) {
   return Cli::tr("both");
 }
 
-std::vector<Plot> plots_of(const experiments::Sensitivity& found) {
+std::vector<ui::Plot> plots_of(const experiments::Sensitivity& found) {
   const QString distance = Cli::tr("mean Hausdorff distance, mm");
-  Plot places{Cli::tr("(a) place of the boundary conditions"),
-              Cli::tr("shift along the surface, mm"),
-              distance,
-              {},
-              {}};
-  Plot stiffness{Cli::tr("(b) stiffness of the boundary conditions"),
-                 Cli::tr("times the reference's stiffness"),
-                 distance,
-                 {},
-                 {}};
+  ui::Plot places{Cli::tr("(a) place of the boundary conditions"),
+                  Cli::tr("shift along the surface, mm"),
+                  distance,
+                  {},
+                  {}};
+  ui::Plot stiffness{Cli::tr("(b) stiffness of the boundary conditions"),
+                     Cli::tr("times the reference's stiffness"),
+                     distance,
+                     {},
+                     {}};
   for (const experiments::Support support : experiments::kSupports) {
-    PlotSeries shifted{support_text(support), {}, {}, {}}, stiffened{support_text(support), {}, {}, {}};
+    ui::PlotSeries shifted{support_text(support), {}, {}, {}}, stiffened{support_text(support), {}, {}, {}};
     for (const experiments::ShiftRow& row : found.shifts) {
       if (row.support != support) continue;
       shifted.values.emplace_back(1e3 * row.shift, drawn_mm(row.mean.surface));
@@ -73,13 +73,13 @@ std::vector<Plot> plots_of(const experiments::Sensitivity& found) {
   return {places, stiffness};
 }
 
-Plot plot_of(const experiments::TransferStudy& study) {
-  Plot plot{Cli::tr("the atlas laid on livers"),
-            Cli::tr("liver (s: synthetic; * not in the atlas)"),
-            Cli::tr("mean Hausdorff distance, mm"),
-            {},
-            {}};
-  PlotSeries surface{Cli::tr("surface"), {}, {}, {}},
+ui::Plot plot_of(const experiments::TransferStudy& study) {
+  ui::Plot plot{Cli::tr("the atlas laid on livers"),
+                Cli::tr("liver (s: synthetic; * not in the atlas)"),
+                Cli::tr("mean Hausdorff distance, mm"),
+                {},
+                {}};
+  ui::PlotSeries surface{Cli::tr("surface"), {}, {}, {}},
       notch{Cli::tr("umbilical notch (in silico)"), {}, {}, {}}, cava{Cli::tr("vena cava"), {}, {}, {}};
   for (const experiments::TransferRow& row : study.rows) {
     const auto x = static_cast<double>(plot.categories.size());
@@ -188,7 +188,7 @@ int run_figure(const QStringList& given) {
       (arguments.has("quick") ? " --quick" : "") + std::string(" --seed ") + std::to_string(arguments.seed());
   experiments::write_figure(folder.path(), drawn.figure);
   const std::string picture = "figure_" + std::to_string(drawn.figure.number) + ".png";
-  stereo::write_picture(folder.path() / picture, scene::to_picture(draw_plots(drawn.plots)));
+  stereo::write_picture(folder.path() / picture, scene::to_picture(ui::draw_plots(drawn.plots)));
   folder.commit();
   tell(drawn);
   session.figures.merge(drawn.figure.figures);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the registered model to the tracked one.
-#include <QRegularExpression>
 #include "cli.h"
 #include "commands.h"
 #include "exit_code.h"
+#include "glisson/core/numbered_files.h"
 #include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -16,10 +16,10 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/engine/placed_correction.h"
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/track_record.h"
-#include "glisson/guidance/place_picker.h"
 #include "glisson/patient/correction.h"
 #include "glisson/patient/overlay_record.h"
 #include "glisson/stereo/picture_io.h"
@@ -32,41 +32,12 @@ namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// Where a printf-like pattern ('cloud_%02d.ply') holds its number. @throws UsageError nowhere.
-QRegularExpressionMatch number_in(const QString& pattern) {
-  static const QRegularExpression kNumber("%(0?)(\\d*)d");
-  const QRegularExpressionMatch match = kNumber.match(pattern);
-  if (!match.hasMatch())
+/// @throws UsageError the pattern holds no number.
+NumberedFiles numbered(const QString& pattern) {
+  const auto files = NumberedFiles::of(pattern.toStdString());
+  if (!files)
     throw UsageError(pattern.toStdString() + ": must hold a number such as %02d, as in 'cloud_%02d.ply'.");
-  return match;
-}
-
-int digits_of(const QString& pattern) { return number_in(pattern).captured(2).toInt(); }
-
-/// The file that the pattern stands for at a number.
-fs::path numbered(const QString& pattern, int number) {
-  const QRegularExpressionMatch match = number_in(pattern);
-  const QChar fill = match.captured(1).isEmpty() ? QChar(' ') : QChar('0');
-  QString name = pattern;
-  name.replace(match.capturedStart(), match.capturedLength(),
-               QString("%1").arg(number, match.captured(2).toInt(), 10, fill));
-  return name.toStdString();
-}
-
-/// The files that a pattern stands for, in order, with their numbers.
-std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
-  std::vector<std::pair<int, fs::path>> files;
-  for (int number = 0; number < 100000; ++number) {
-    const fs::path file = numbered(pattern, number);
-    if (fs::exists(file))
-      files.emplace_back(number, file);
-    else if (!files.empty() || number > 1000)
-      break;
-  }
-  if (files.empty())
-    throw FileError(pattern.toStdString() +
-                    ": no file of this name exists. Check the pattern's folder and number.");
-  return files;
+  return *files;
 }
 
 void follow_clouds(Session& session, const Arguments& arguments, const ModelArgument& argument,
@@ -99,7 +70,7 @@ class Corrections {
     for (; next_ < lines_.size() && lines_[next_].frame == frame; ++next_) {
       const CorrectionLine& line = lines_[next_];
       if (line.correction) {
-        session_.post(engine::CorrectTracking{placed(line)});
+        session_.post(engine::CorrectTracking{engine::placed_correction(session_.state(), line, path_)});
         record.add(session_.state()[part::live]->corrections.back());
       } else {
         session_.post(engine::UndoCorrection{});
@@ -109,27 +80,6 @@ class Corrections {
   }
 
  private:
-  Correction placed(const CorrectionLine& line) const {
-    Correction correction = *line.correction;
-    const engine::CaseState& now = session_.state();
-    if (line.has_place) {  // where it is seen counts; where it is drawn the frame says
-      const auto drawn = guidance::pixel_of(now[part::model]->model, now[part::live]->overlay.nodes_in_camera,
-                                            *now[part::rig], correction.view, correction.place_in_ct);
-      correction.from = drawn.value_or(correction.from);
-      return correction;
-    }
-    const auto picked =
-        guidance::pick_place(engine::effective_model(now), now[part::live]->overlay.nodes_in_camera,
-                             *now[part::rig], correction.view, correction.from);
-    if (!picked)
-      throw InputError(path_.string(), "from of frame " + std::to_string(line.frame), "is beside the organ",
-                       "Give a pixel of the drawn organ");
-    correction.feature = picked->feature;
-    correction.place_in_ct = picked->place_in_ct;
-    correction.from = picked->pixel;
-    return correction;
-  }
-
   Session& session_;
   fs::path path_;
   std::vector<CorrectionLine> lines_;
@@ -190,7 +140,7 @@ experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgume
                                    const Session& session, const fs::path& folder) {
   experiments::TrackOutput output;
   output.folder = folder;
-  if (arguments.has("clouds")) output.digits = digits_of(arguments.value("clouds"));
+  if (arguments.has("clouds")) output.digits = numbered(arguments.value("clouds")).digits();
   if (argument.surface) output.ending = "vtp";
   output.unit = argument.unit;
   output.write_mesh = [&](const fs::path& path, const Registration& registration, const NamedArrays& said) {
@@ -198,28 +148,8 @@ experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgume
   };
   output.remedy = scene::remedy_text;
   if (arguments.has("truth"))
-    output.truth = [pattern = arguments.value("truth")](int frame) { return numbered(pattern, frame); };
+    output.truth = [files = numbered(arguments.value("truth"))](int frame) { return files.at(frame); };
   return output;
-}
-
-/// The meshes of a former run, as its own list names them: beside the new ones they would pass for theirs.
-void remove_former(const fs::path& folder, const fs::path& fresh) {
-  const fs::path list = folder / "frames.jsonl";
-  std::error_code failure;
-  if (!fs::is_regular_file(list, failure)) return;
-  OverlayRecord former;
-  try {
-    former = read_overlay_record(list);
-  } catch (const Error&) {
-    return;  // no list of ours
-  }
-  for (const OverlayLine& line : former.frames) {
-    const fs::path mesh = folder / line.mesh;
-    // Only what lies beside the list: anybody may have written it.
-    if (line.mesh.empty() || fs::path(line.mesh).filename() != line.mesh) continue;
-    const bool is_file = fs::is_regular_file(fs::symlink_status(mesh, failure));
-    if (is_file && !fs::exists(fresh / line.mesh, failure)) fs::remove(mesh, failure);
-  }
 }
 
 }  // namespace
@@ -286,7 +216,7 @@ int run_track(const QStringList& given) {
     throw UsageError("--mask-network: needs pictures. Give --video with --calibration.");
   arguments.require_existing("correct");
   std::vector<std::pair<int, fs::path>> clouds;
-  if (arguments.has("clouds")) clouds = expand(arguments.value("clouds"));
+  if (arguments.has("clouds")) clouds = numbered(arguments.value("clouds")).existing();
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
   session.call("start", arguments.required_path("start").string());
@@ -321,7 +251,7 @@ int run_track(const QStringList& given) {
   record.finish(whole);
   session.tell(record.figures());
   if (whole || record.frames() > 0) {
-    remove_former(arguments.path("out"), out.path());
+    experiments::remove_former_meshes(arguments.path("out"), out.path());
     out.commit(whole);
   }
   session.finish();

@@ -106,4 +106,24 @@ void TrackRecord::compare(int number, const OverlayFrame& overlay) {
       errors.at("tre_volume_mean_mm");
 }
 
+void remove_former_meshes(const std::filesystem::path& folder, const std::filesystem::path& fresh) {
+  namespace fs = std::filesystem;
+  const fs::path list = folder / "frames.jsonl";
+  std::error_code failure;
+  if (!fs::is_regular_file(list, failure)) return;
+  OverlayRecord former;
+  try {
+    former = read_overlay_record(list);
+  } catch (const Error&) {
+    return;  // no list of ours
+  }
+  for (const OverlayLine& line : former.frames) {
+    const fs::path mesh = folder / line.mesh;
+    // Only what lies beside the list: anybody may have written it.
+    if (line.mesh.empty() || fs::path(line.mesh).filename() != line.mesh) continue;
+    const bool is_file = fs::is_regular_file(fs::symlink_status(mesh, failure));
+    if (is_file && !fs::exists(fresh / line.mesh, failure)) fs::remove(mesh, failure);
+  }
+}
+
 }  // namespace glisson::experiments

@@ -62,4 +62,8 @@ class TrackRecord {
   std::string lines_;  ///< of frames.jsonl
 };
 
+/// Removes the meshes of a former run, as its own list names them: beside the new ones they would pass for
+/// theirs. @param folder of the former run. @param fresh of the new one: what it holds too stays.
+void remove_former_meshes(const std::filesystem::path& folder, const std::filesystem::path& fresh);
+
 }  // namespace glisson::experiments

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot.h"
+#include "glisson/ui/common/plot.h"
 
 #include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace glisson::app {
+namespace glisson::ui {
 namespace {
 
 constexpr int kHeight = 620;  // pixels
@@ -164,4 +164,4 @@ QImage draw_plots(const std::vector<Plot>& plots) {
   return picture;
 }
 
-}  // namespace glisson::app
+}  // namespace glisson::ui

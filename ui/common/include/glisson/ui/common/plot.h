@@ -10,7 +10,7 @@
 /// @file
 /// Plots for pages: bars by category or lines, side by side in one picture. Needs Qt's fonts, no display.
 
-namespace glisson::app {
+namespace glisson::ui {
 
 struct PlotSeries {
   QString name;
@@ -27,4 +27,4 @@ struct Plot {
 /// One picture with all plots in a row; Okabe and Ito's colours, a legend in each.
 QImage draw_plots(const std::vector<Plot>& plots);
 
-}  // namespace glisson::app
+}  // namespace glisson::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glisson {
+
+/// Files whose names differ by a number, as a printf-like pattern says: "cloud_%02d.ply".
+class NumberedFiles {
+ public:
+  /// Empty: the pattern holds no number (%d, %4d, %04d).
+  static std::optional<NumberedFiles> of(const std::string& pattern);
+
+  std::filesystem::path at(int number) const;
+  /// Of a number in the names, at least.
+  int digits() const { return digits_; }
+  /// Those that are there, in ascending order up to the first gap; they begin at 1000 at the latest.
+  /// @throws FileError there is none.
+  std::vector<std::pair<int, std::filesystem::path>> existing() const;
+
+ private:
+  NumberedFiles() = default;
+
+  std::string before_, after_;  ///< of the pattern, around the number
+  int digits_ = 0;
+  char fill_ = ' ';
+};
+
+}  // namespace glisson
