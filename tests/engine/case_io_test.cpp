@@ -112,6 +112,7 @@ class CaseIoTest : public QObject {
   void NamesTheMalformedPart();
   void LandmarksNameTheirMistakes();
   void ARegistrationOfAnotherModelIsRefused();
+  void ARegistrationThatTurnsAnElementInsideOutIsKept();
   void ARegistrationsDoubtsTravelWithItsFile();
   void WhereARegistrationMayBeWrongTravelsWithItsFile();
   void WhatIsNoErrorAndNoProbabilityIsRefused();
@@ -312,6 +313,25 @@ void CaseIoTest::ARegistrationOfAnotherModelIsRefused() {
   const Registration same =
       read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
   QVERIFY((same.nodes_in_camera - state[part::registration]->nodes_in_camera).norm() < 1e-9);
+}
+
+/// As linear elasticity does where a tool pulls hard.
+void CaseIoTest::ARegistrationThatTurnsAnElementInsideOutIsKept() {
+  const TemporaryFolder folder;
+  CaseState state = small_case();
+  Registration turned = *state[part::registration];
+  const PatientModel& model = state[part::model]->model;
+  TetMesh deformed = model.mesh;
+  turned.nodes_in_camera.row(4) = -turned.nodes_in_camera.row(4);
+  deformed.vertices = turned.nodes_in_camera;
+  QVERIFY(tetrahedron_volumes(deformed).minCoeff() < 0.0 && tetrahedron_volumes(deformed).maxCoeff() > 0.0);
+  state[part::registration] = std::make_shared<const Registration>(turned);
+  write_registration(folder.path() / "r.vtu", model, turned, LengthUnit::millimetre);
+  const Registration read = read_registration(folder.path() / "r.vtu", model, LengthUnit::millimetre);
+  QVERIFY((read.nodes_in_camera - turned.nodes_in_camera).norm() < 1e-9);
+  QVERIFY(save_case(folder.path() / "a.glisson", state, RunContext()));
+  const auto opened = open_case(folder.path() / "a.glisson", RunContext());
+  QVERIFY(((*opened)[part::registration]->nodes_in_camera - turned.nodes_in_camera).norm() < 1e-9);
 }
 
 void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {

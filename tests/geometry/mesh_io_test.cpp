@@ -127,6 +127,13 @@ void MeshIoTest::SomeInvertedTetrahedraAreRefused() {
   const std::string message = complaint([&] { read_tet_mesh(path, LengthUnit::millimetre); });
   QVERIFY(message.find("tetrahedron 1") != std::string::npos);
   QVERIFY(message.find("inverted") != std::string::npos);
+  // A deformed shape may have some. What is no mesh it may not be, either.
+  QVERIFY(read_tet_mesh(path, LengthUnit::millimetre, MeshShape::deformed).tetrahedra == mesh.tetrahedra);
+  mesh.tetrahedra.row(1) = mesh.tetrahedra.row(0);
+  write_tet_mesh(path, mesh, LengthUnit::millimetre);
+  QVERIFY(complaint([&] {
+            read_tet_mesh(path, LengthUnit::millimetre, MeshShape::deformed);
+          }).find("same nodes") != std::string::npos);
 }
 
 void MeshIoTest::UnusedNodeIsRefused() {

@@ -238,7 +238,7 @@ void write_registration(const fs::path& path, const PatientModel& model, const R
 }
 
 Registration read_registration(const fs::path& path, const PatientModel& model, LengthUnit unit) {
-  const TetFile file = read_tet_file(path, unit);
+  const TetFile file = read_tet_file(path, unit, MeshShape::deformed);
   if (file.mesh.vertex_count() != model.mesh.vertex_count() || file.mesh.tetrahedra != model.mesh.tetrahedra)
     throw InputError(path.string(), "mesh",
                      "is not this model's (" + std::to_string(file.mesh.vertex_count()) +

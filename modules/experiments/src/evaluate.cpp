@@ -80,7 +80,8 @@ Figures lesion_errors(const PatientModel& model, const Points& estimated_nodes, 
 Points read_true_nodes(const fs::path& path, LengthUnit unit) {
   const std::string extension = lower_extension(path);
   if (extension == ".xyz" || extension == ".txt") return read_node_list(path, unit);
-  return is_tetrahedral(path) ? read_tet_mesh(path, unit).vertices : read_triangle_mesh(path, unit).vertices;
+  return is_tetrahedral(path) ? read_tet_mesh(path, unit, MeshShape::deformed).vertices
+                              : read_triangle_mesh(path, unit).vertices;
 }
 
 Figures cloud_figures(const LabelledCloud& cloud, const Camera& left, const fs::path& truth,

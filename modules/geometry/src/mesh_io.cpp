@@ -80,7 +80,7 @@ bool is_tetrahedral(const fs::path& path) {
                    "Give .vtu, .vtk, .msh, .vtp, .stl, .obj or .ply");
 }
 
-TetFile read_tet_file(const fs::path& path, LengthUnit unit) {
+TetFile read_tet_file(const fs::path& path, LengthUnit unit, MeshShape shape) {
   const std::string extension = lower_extension(path), name = path.string();
   TetFile file;
   if (extension == ".msh") {
@@ -93,12 +93,17 @@ TetFile read_tet_file(const fs::path& path, LengthUnit unit) {
   }
   file.mesh.vertices *= metres_per(unit);
   if (file.mesh.vertices.allFinite()) follow_our_orientation(file.mesh);
-  check_tetrahedra(file.mesh, name);
+  if (shape == MeshShape::at_rest)
+    check_tetrahedra(file.mesh, name);
+  else
+    check_connectivity(file.mesh, name);
   require_every_node_used(file.mesh, name);
   return file;
 }
 
-TetMesh read_tet_mesh(const fs::path& path, LengthUnit unit) { return read_tet_file(path, unit).mesh; }
+TetMesh read_tet_mesh(const fs::path& path, LengthUnit unit, MeshShape shape) {
+  return read_tet_file(path, unit, shape).mesh;
+}
 
 void write_tet_mesh(const fs::path& path, const TetFile& file, LengthUnit unit) {
   const std::string extension = lower_extension(path);

@@ -211,7 +211,7 @@ TriangleMesh merge_vertices(const TriangleMesh& mesh, double tolerance, std::vec
   return merged;
 }
 
-void check_tetrahedra(const TetMesh& mesh, const std::string& name) {
+void check_connectivity(const TetMesh& mesh, const std::string& name) {
   if (mesh.tetrahedron_count() == 0)
     throw InputError(name, "tetrahedra", "there are none",
                      "Give a tetrahedral mesh, or a closed surface to be meshed");
@@ -236,6 +236,13 @@ void check_tetrahedra(const TetMesh& mesh, const std::string& name) {
     if (!is_new)
       throw InputError(name, field, "has the same nodes as tetrahedron " + std::to_string(twin->second),
                        "Remove one of them");
+  }
+}
+
+void check_tetrahedra(const TetMesh& mesh, const std::string& name) {
+  check_connectivity(mesh, name);
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
+    const std::string field = "tetrahedron " + std::to_string(t);
     const Eigen::Vector3d a = mesh.vertex(mesh.tetrahedra(t, 0));
     const Eigen::Vector3d b = mesh.vertex(mesh.tetrahedra(t, 1)) - a,
                           c = mesh.vertex(mesh.tetrahedra(t, 2)) - a,

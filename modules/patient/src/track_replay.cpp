@@ -54,7 +54,7 @@ std::optional<OverlayFrame> TrackReplay::at(int frame, double seconds, double fr
   if (line.mesh.empty() || mesh.extension() != ".vtu")
     throw InputError(file_.string(), "frame " + std::to_string(frame), "has no mesh of tetrahedra",
                      "Track the case itself: --model CASE");
-  const TetFile file = read_tet_file(mesh, line.unit);
+  const TetFile file = read_tet_file(mesh, line.unit, MeshShape::deformed);
   const std::string shift = "displacement_";  // and the unit in which the mesh was written
   for (const auto& [name, values] : file.point_data)
     if (name.starts_with(shift) && name != shift + unit_code(line.unit))

@@ -34,14 +34,19 @@ struct TriangleFile {
 /// @throws FileError missing; InputError unreadable or of no known format.
 bool is_tetrahedral(const std::filesystem::path& path);
 
+/// What a mesh's nodes show: the shape at rest, whose tetrahedra all have a volume, or a deformed one.
+enum class MeshShape { at_rest, deformed };
+
 /// Reads a tetrahedral mesh: .vtu, legacy .vtk, gmsh .msh (versions 2 and 4, ascii). Cells of lower dimension
 /// are left out. A mesh whose every tetrahedron is negatively oriented follows the other convention and is
 /// turned.
 /// @throws FileError missing; InputError malformed, not finite, other volume cells, some tetrahedra inverted
-///   or flat (see check_tetrahedra), nodes that no tetrahedron uses.
-TetFile read_tet_file(const std::filesystem::path& path, LengthUnit unit);
+///   or flat (see check_tetrahedra; of a deformed one they are not asked), nodes that no tetrahedron uses.
+TetFile read_tet_file(const std::filesystem::path& path, LengthUnit unit,
+                      MeshShape shape = MeshShape::at_rest);
 /// The mesh alone.
-TetMesh read_tet_mesh(const std::filesystem::path& path, LengthUnit unit);
+TetMesh read_tet_mesh(const std::filesystem::path& path, LengthUnit unit,
+                      MeshShape shape = MeshShape::at_rest);
 
 /// Writes .vtu or legacy .vtk by extension; labels as the cell array "label". Atomic, read back.
 /// @pre arrays have a row a point, or a row a cell. @throws FileError; InputError for another extension.

@@ -56,6 +56,8 @@ TriangleMesh merge_vertices(const TriangleMesh& mesh, double tolerance,
 ///   coordinates that are not finite, inverted or flat (volume <= 0, or below 1e-12 of its box's), the same
 ///   nodes twice.
 void check_tetrahedra(const TetMesh& mesh, const std::string& name);
+/// The same but for the volumes: of a deformed shape mechanics may have turned some inside out.
+void check_connectivity(const TetMesh& mesh, const std::string& name);
 /// Turns the tetrahedra that are negatively oriented. @return how many were turned.
 int orient_tetrahedra(TetMesh& mesh);
 
