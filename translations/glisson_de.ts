@@ -7356,6 +7356,10 @@
         <translation>Lebern werden registriert</translation>
     </message>
     <message>
+        <source>pulling, registering and following organs</source>
+        <translation>Organe werden gezogen, registriert und verfolgt</translation>
+    </message>
+    <message>
         <source>handling the liver</source>
         <translation>Leber wird bewegt</translation>
     </message>
@@ -7775,8 +7779,8 @@
         <translation>Einheit der Punktwolke: mm, cm oder m. Ohne sie die des Modells.</translation>
     </message>
     <message>
-        <source>Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model.</source>
-        <translation>Starrer Start: auto, none oder eine Datei mit einer 4 x 4-Matrix cloud_from_model.</translation>
+        <source>Rigid start: auto, none (the cloud is in the model&apos;s frame; what is judged by where the camera stood is not), or a file with a 4 x 4 matrix cloud_from_model.</source>
+        <translation>Starrer Start: auto, none (die Punktwolke liegt im Koordinatensystem des Modells; was nach dem Ort der Kamera beurteilt wird, wird es nicht) oder eine Datei mit einer 4 x 4-Matrix cloud_from_model.</translation>
     </message>
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
@@ -8407,6 +8411,26 @@
         <translation>Fälle, in denen die beste starre Ausrichtung übertroffen wird, Anteil</translation>
     </message>
     <message>
+        <source>elastic_sequence: mean error of the first of its frames, mm</source>
+        <translation>elastic_sequence: mittlerer Fehler des ersten Bildes, mm</translation>
+    </message>
+    <message>
+        <source>elastic_sequence: mean error over its 50 frames, followed, mm</source>
+        <translation>elastic_sequence: mittlerer Fehler über die 50 Bilder, verfolgt, mm</translation>
+    </message>
+    <message>
+        <source>held organs: mean error of the worst of them, clouds without noise, mm</source>
+        <translation>gehaltene Organe: mittlerer Fehler des schlechtesten, Punktwolken ohne Rauschen, mm</translation>
+    </message>
+    <message>
+        <source>held organs: mean error of the worst frame of any, followed, mm</source>
+        <translation>gehaltene Organe: mittlerer Fehler des schlechtesten Bildes, verfolgt, mm</translation>
+    </message>
+    <message>
+        <source>loose organs, place unknown: mean error, clouds without noise, mm</source>
+        <translation>lose Organe, Ort unbekannt: mittlerer Fehler, Punktwolken ohne Rauschen, mm</translation>
+    </message>
+    <message>
         <source>live: largest error at a lesion with a scope in a hand, mean over frames, mm</source>
         <translation>live: größter Fehler an einer Läsion, Endoskop in einer Hand, Mittel über die Bilder, mm</translation>
     </message>
@@ -8627,12 +8651,12 @@
         <translation>%1: ist keine Aktion. Siehe „glisson atlas --help“.</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show).</source>
-        <translation>Misst die Zahlen der Nachweise neu, gegen die Labels von Fachleuten und bekannte Wahrheiten: patient (von der CT zum Modell), stereo (von Bildern zu Punktwolken), registration (wie weit sie abweicht, und ob sie es sagt), live (was das Overlay von sich sagt, wenn etwas nicht stimmt), atlas (Landmarken, die die CT nicht zeigt).</translation>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show), pulled (bare organs that are held somewhere and pulled at a few places).</source>
+        <translation>Misst die Zahlen der Nachweise neu, gegen die Labels von Fachleuten und bekannte Wahrheiten: patient (von der CT zum Modell), stereo (von Bildern zu Punktwolken), registration (wie weit sie abweicht, und ob sie es sagt), live (was das Overlay von sich sagt, wenn etwas nicht stimmt), atlas (Landmarken, die die CT nicht zeigt), pulled (Organe ohne Anatomie, die irgendwo gehalten und an wenigen Stellen gezogen werden).</translation>
     </message>
     <message>
-        <source>Which: patient, stereo, registration, live or atlas.</source>
-        <translation>Welcher: patient, stereo, registration, live oder atlas.</translation>
+        <source>Which: patient, stereo, registration, live, atlas or pulled.</source>
+        <translation>Welcher: patient, stereo, registration, live, atlas oder pulled.</translation>
     </message>
     <message>
         <source>registration, atlas: leave the validation patients alone, as when limits are set.</source>
@@ -8719,8 +8743,8 @@
         <translation>in silico: Wahrheit in den 95-%-Ellipsoiden, höchstens</translation>
     </message>
     <message>
-        <source>registration: two patients of either set and one share that is seen.</source>
-        <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil.</translation>
+        <source>registration: two patients of either set and one share that is seen; pulled: two organs of a kind.</source>
+        <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil; pulled: zwei Organe jeder Art.</translation>
     </message>
     <message>
         <source>registration: keep what DIR/registration_SEED.csv holds already.</source>

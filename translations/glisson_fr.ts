@@ -7356,6 +7356,10 @@
         <translation>recalage de foies</translation>
     </message>
     <message>
+        <source>pulling, registering and following organs</source>
+        <translation>traction, recalage et suivi d&apos;organes</translation>
+    </message>
+    <message>
         <source>handling the liver</source>
         <translation>manipulation du foie</translation>
     </message>
@@ -7775,8 +7779,8 @@
         <translation>Unité du nuage&#xa0;: mm, cm ou m. Sinon, celle du modèle.</translation>
     </message>
     <message>
-        <source>Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model.</source>
-        <translation>Départ rigide&#xa0;: auto, none, ou un fichier avec une matrice 4 x 4 cloud_from_model.</translation>
+        <source>Rigid start: auto, none (the cloud is in the model&apos;s frame; what is judged by where the camera stood is not), or a file with a 4 x 4 matrix cloud_from_model.</source>
+        <translation>Départ rigide&#xa0;: auto, none (le nuage est dans le repère du modèle&#xa0;; rien n&apos;est jugé d&apos;après la place de la caméra), ou un fichier avec une matrice 4 x 4 cloud_from_model.</translation>
     </message>
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
@@ -8407,6 +8411,26 @@
         <translation>cas où le meilleur recalage rigide est battu, part</translation>
     </message>
     <message>
+        <source>elastic_sequence: mean error of the first of its frames, mm</source>
+        <translation>elastic_sequence&#xa0;: erreur moyenne de la première image, mm</translation>
+    </message>
+    <message>
+        <source>elastic_sequence: mean error over its 50 frames, followed, mm</source>
+        <translation>elastic_sequence&#xa0;: erreur moyenne sur les 50 images, suivies, mm</translation>
+    </message>
+    <message>
+        <source>held organs: mean error of the worst of them, clouds without noise, mm</source>
+        <translation>organes tenus&#xa0;: erreur moyenne du pire d&apos;entre eux, nuages sans bruit, mm</translation>
+    </message>
+    <message>
+        <source>held organs: mean error of the worst frame of any, followed, mm</source>
+        <translation>organes tenus&#xa0;: erreur moyenne de la pire image, suivie, mm</translation>
+    </message>
+    <message>
+        <source>loose organs, place unknown: mean error, clouds without noise, mm</source>
+        <translation>organes libres, place inconnue&#xa0;: erreur moyenne, nuages sans bruit, mm</translation>
+    </message>
+    <message>
         <source>live: largest error at a lesion with a scope in a hand, mean over frames, mm</source>
         <translation>live : plus grande erreur sur une lésion, endoscope tenu à la main, moyenne sur les images, mm</translation>
     </message>
@@ -8627,12 +8651,12 @@
         <translation>%1 : n&apos;est pas une action. Voir « glisson atlas --help ».</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show).</source>
-        <translation>Mesure à nouveau les chiffres des preuves, par rapport aux étiquettes d&apos;experts et à des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), registration (son erreur, et si elle l&apos;annonce), live (ce que la superposition dit d&apos;elle-même quand quelque chose ne va pas), atlas (repères que le scanner ne montre pas).</translation>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show), pulled (bare organs that are held somewhere and pulled at a few places).</source>
+        <translation>Mesure à nouveau les chiffres des preuves, par rapport aux étiquettes d&apos;experts et à des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), registration (son erreur, et si elle l&apos;annonce), live (ce que la superposition dit d&apos;elle-même quand quelque chose ne va pas), atlas (repères que le scanner ne montre pas), pulled (organes sans anatomie, tenus quelque part et tirés en quelques endroits).</translation>
     </message>
     <message>
-        <source>Which: patient, stereo, registration, live or atlas.</source>
-        <translation>Laquelle : patient, stereo, registration, live ou atlas.</translation>
+        <source>Which: patient, stereo, registration, live, atlas or pulled.</source>
+        <translation>Laquelle&#xa0;: patient, stereo, registration, live, atlas ou pulled.</translation>
     </message>
     <message>
         <source>registration, atlas: leave the validation patients alone, as when limits are set.</source>
@@ -8719,8 +8743,8 @@
         <translation>in silico : vérité dans les ellipsoïdes à 95 %, au plus</translation>
     </message>
     <message>
-        <source>registration: two patients of either set and one share that is seen.</source>
-        <translation>registration : deux patients de chaque ensemble et une seule part visible.</translation>
+        <source>registration: two patients of either set and one share that is seen; pulled: two organs of a kind.</source>
+        <translation>registration : deux patients de chaque ensemble et une seule part visible ; pulled : deux organes de chaque sorte.</translation>
     </message>
     <message>
         <source>registration: keep what DIR/registration_SEED.csv holds already.</source>

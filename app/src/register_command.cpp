@@ -43,7 +43,8 @@ int run_register(const QStringList& given) {
       "FILE,FILE...");
   arguments.option("cloud-unit", Cli::tr("Unit of the cloud: mm, cm or m. Without it, the model's."), "UNIT");
   arguments.option("rigid",
-                   Cli::tr("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
+                   Cli::tr("Rigid start: auto, none (the cloud is in the model's frame; what is judged by "
+                           "where the camera stood is not), or a file with a 4 x 4 matrix cloud_from_model."),
                    "auto|none|FILE", "auto");
   arguments.flag("near",
                  Cli::tr("The file of --rigid is near the right place only: refined rigidly first, as "

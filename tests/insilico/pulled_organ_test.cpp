@@ -69,6 +69,7 @@ class PulledOrganTest : public QObject {
     refused([](auto& o) { o.mean_motion_mm = 0.0; });
     refused([](auto& o) { o.largest_motion_mm = -1.0; });
     refused([](auto& o) { o.poisson_ratio = 0.5; });
+    refused([](auto& o) { o.held_radius_mm = 0.0; });
     refused([](auto& o) { o.seen_share = 0.0; });
     refused([](auto& o) { o.points = 5; });
     refused([](auto& o) { o.noise_mm = -1.0; });

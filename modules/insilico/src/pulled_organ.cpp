@@ -15,7 +15,6 @@
 namespace glisson::insilico {
 namespace {
 
-constexpr double kHeldRadius = 0.024;          // m
 constexpr double kYoungModulus = 5200.0;       // Pa
 constexpr double kClearOfHeld = 0.035;         // m, between a patch's centre and what is held
 constexpr double kGrowth = 1.6, kNear = 0.03;  // of the load a step; of the motion wanted
@@ -87,6 +86,7 @@ class Puller {
   /// A camera far away, and the seen part of the surface around the middle of what faces it.
   void choose_view() {
     const Eigen::Vector3d towards = direction();
+    organ_.towards_camera = towards;
     std::vector<int> facing;
     for (int t = 0; t < areas_.size(); ++t)
       if (normals_.row(t).dot(towards) > 0.25) facing.push_back(t);
@@ -108,7 +108,7 @@ class Puller {
     for (int t = 0; t < areas_.size(); ++t)
       if (const double d = (centres_.row(t) - centres_.row(middle_)).norm() * uniform(0.7, 1.0); d > farthest)
         farthest = d, organ_.held_centre = centres_.row(t).transpose();
-    organ_.held_radius = kHeldRadius;
+    organ_.held_radius = 1e-3 * options_.held_radius_mm;
     fixed_ = held_nodes(model_.mesh(), organ_);
     if (fixed_.size() < 3) throw InputError("mesh", "", "is too coarse for a part that is held", "Refine it");
   }
@@ -122,7 +122,7 @@ class Puller {
       std::vector<int> places;
       for (int t = 0; t < areas_.size(); ++t)
         if ((seen[static_cast<std::size_t>(t)] == 0) == hidden &&
-            (centres_.row(t).transpose() - organ_.held_centre).norm() > kHeldRadius + kClearOfHeld)
+            (centres_.row(t).transpose() - organ_.held_centre).norm() > organ_.held_radius + kClearOfHeld)
           places.push_back(t);
       if (places.empty())
         throw NumericalError("No place for a patch clear of what is held: take another seed.");
@@ -255,6 +255,7 @@ void PulledOrganOptions::validate() const {
   demand(largest_motion_mm >= 0.0, "largest_motion_mm", largest_motion_mm, "Give a length, or 0 to draw it");
   demand(poisson_ratio > 0.0 && poisson_ratio < 0.5, "poisson_ratio", poisson_ratio,
          "Give a number between 0 and 0.5");
+  demand(held_radius_mm > 0.0, "held_radius_mm", held_radius_mm, "Give a positive length");
   demand(seen_share > 0.0 && seen_share <= 1.0, "seen_share", seen_share, "Give a share in (0, 1]");
   demand(points >= 10, "points", points, "Give ten at least");
   demand(noise_mm >= 0.0, "noise_mm", noise_mm, "Give a length from zero");

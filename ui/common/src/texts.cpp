@@ -136,6 +136,7 @@ class Texts {
             {"figure.shapes", tr("shapes with altered supports")},
             {"prove.theatre", tr("placing the laparoscope")},
             {"prove.registration", tr("registering livers")},
+            {"prove.pulled", tr("pulling, registering and following organs")},
             {"patient.shape", tr("shaping a synthetic liver")},
             {"patient.vessels", tr("growing its vessels")},
             {"patient.ct", tr("making its CT")},

@@ -19,11 +19,12 @@ struct PulledOrganOptions {
   double mean_motion_mm = 12.0;    ///< on average, at most
   double largest_motion_mm = 0.0;  ///< any of them, at most; 0: drawn from 30 to 50
   double poisson_ratio = 0.49;
-  bool hidden_patch = false;  ///< the last patch lies outside of what is seen
-  double seen_share = 0.2;    ///< of the surface, of what faces the camera at most
-  int points = 500;           ///< of a cloud
-  double noise_mm = 0.0;      ///< standard deviation a coordinate
-  int frames = 1;             ///< the loads swell and ebb from frame to frame
+  double held_radius_mm = 24.0;  ///< of the ball in which it is held
+  bool hidden_patch = false;     ///< the last patch lies outside of what is seen
+  double seen_share = 0.2;       ///< of the surface, of what faces the camera at most
+  int points = 500;              ///< of a cloud
+  double noise_mm = 0.0;         ///< standard deviation a coordinate
+  int frames = 1;                ///< the loads swell and ebb from frame to frame
   /// @throws InputError naming the option.
   void validate() const;
 };
@@ -35,9 +36,10 @@ struct PulledFrame {
 };
 struct PulledOrgan {
   std::vector<PulledFrame> frames;
-  Eigen::Vector3d held_centre = Eigen::Vector3d::Zero();  ///< nodes near it do not move
-  double held_radius = 0.0;                               ///< m
-  double mean_motion = 0.0, largest_motion = 0.0;         ///< of the first frame's nodes, m
+  Eigen::Vector3d held_centre = Eigen::Vector3d::Zero();     ///< nodes near it do not move
+  double held_radius = 0.0;                                  ///< m
+  Eigen::Vector3d towards_camera = Eigen::Vector3d::Zero();  ///< unit; the camera is far away
+  double mean_motion = 0.0, largest_motion = 0.0;            ///< of the first frame's nodes, m
   int patches = 0;
 };
 
