@@ -8423,8 +8423,8 @@
         <translation>gehaltene Organe: mittlerer Fehler des schlechtesten, Punktwolken ohne Rauschen, mm</translation>
     </message>
     <message>
-        <source>held organs: mean error of the worst frame of any, followed, mm</source>
-        <translation>gehaltene Organe: mittlerer Fehler des schlechtesten Bildes, verfolgt, mm</translation>
+        <source>held organs: mean error of the worst frame of any, followed, clouds without noise, mm</source>
+        <translation>gehaltene Organe: mittlerer Fehler des schlechtesten Bildes, verfolgt, Punktwolken ohne Rauschen, mm</translation>
     </message>
     <message>
         <source>loose organs, place unknown: mean error, clouds without noise, mm</source>

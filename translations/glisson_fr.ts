@@ -8423,8 +8423,8 @@
         <translation>organes tenus&#xa0;: erreur moyenne du pire d&apos;entre eux, nuages sans bruit, mm</translation>
     </message>
     <message>
-        <source>held organs: mean error of the worst frame of any, followed, mm</source>
-        <translation>organes tenus&#xa0;: erreur moyenne de la pire image, suivie, mm</translation>
+        <source>held organs: mean error of the worst frame of any, followed, clouds without noise, mm</source>
+        <translation>organes tenus&#xa0;: erreur moyenne de la pire image, suivie, nuages sans bruit, mm</translation>
     </message>
     <message>
         <source>loose organs, place unknown: mean error, clouds without noise, mm</source>

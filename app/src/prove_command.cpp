@@ -160,9 +160,9 @@ constexpr Proof kProofs[] = {
      experiments::live_aims, prove_live},
     {"pulled", "Bare organs that are pulled at a few places",
      "Neo-Hookean organs (in silico) that are held somewhere and pulled or pressed at one to three places, "
-     "with clouds of 500 points of a fifth of the surface: registered from rest and followed. Loose ones are "
-     "held by springs that nobody tells of, 44 % of them is seen, and their place before the camera is not "
-     "known. And elastic_sequence (Mestdagh and Cotin 2022, linear, in silico, not ours).",
+     "with clouds of 500 points of a fifth of the surface: registered from rest and followed. Of loose ones "
+     "nobody says what holds them nor where they are before the camera; 44 % of them is seen. And "
+     "elastic_sequence (Mestdagh and Cotin 2022, linear, in silico, not ours).",
      experiments::pulled_aims, prove_pulled},
     {"atlas", "Landmarks that the CT does not show",
      "Ten livers of the synthetic population (in silico, landmarks by formula) and the real livers of the "

@@ -18,8 +18,9 @@ const std::vector<Aim>& pulled_aims() {
        QT_TRANSLATE_NOOP("cli", "held organs: mean error of the worst of them, clouds without noise, mm"),
        in_silico, at_most, 0.7, 2},
       {"pulled_held_followed_worst_mm",
-       QT_TRANSLATE_NOOP("cli", "held organs: mean error of the worst frame of any, followed, mm"), in_silico,
-       at_most, 0.7, 2},
+       QT_TRANSLATE_NOOP(
+           "cli", "held organs: mean error of the worst frame of any, followed, clouds without noise, mm"),
+       in_silico, at_most, 0.7, 2},
       {"pulled_loose_mean_mm",
        QT_TRANSLATE_NOOP("cli", "loose organs, place unknown: mean error, clouds without noise, mm"),
        in_silico, at_most, 0.85, 2},

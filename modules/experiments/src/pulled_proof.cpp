@@ -121,9 +121,8 @@ void sum_up(const std::vector<PulledTrial>& trials, PulledProof& proof) {
   std::map<std::string, Group> groups;
   char line[300];
   proof.table.emplace_back(
-      "kind        organ             noise   moved    most    error   worst node   followed   worst   frozen "
-      " "
-      "valid  told");
+      "kind        organ             noise   moved    most    error   worst node   followed   worst   "
+      "frozen  valid  told");
   for (const PulledTrial& trial : trials) {
     const bool loose = std::string(trial.kind) == "loose";
     std::string kind = trial.kind;
@@ -150,7 +149,7 @@ void sum_up(const std::vector<PulledTrial>& trials, PulledProof& proof) {
 void PulledProofOptions::validate() const {
   const OptionCheck demand("pulled proof options");
   demand(organs > 0, "organs", organs, "Give one at least");
-  demand(frames > 0, "frames", frames, "Give one at least");
+  demand(frames > 1, "frames", frames, "Give two at least");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 

@@ -3,17 +3,22 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 
+#include "glisson/core/error.h"
 #include "glisson/core/numbered_files.h"
 #include "glisson/core/random.h"
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
-#include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/geometry/topology.h"
-#include "glisson/guidance/tracker.h"
 #include "glisson/insilico/pulled_organ.h"
 #include "glisson/model/build.h"
 #include "glisson/registration/examined_registration.h"
@@ -23,7 +28,6 @@ namespace glisson::experiments {
 namespace {
 
 constexpr double kFramesPerSecond = 30.0;
-constexpr int kSteps = 50;            ///< of springs towards each cloud, as `glisson track` takes
 constexpr double kDistance = 0.12;    ///< m, from a camera to the middle of what it sees
 constexpr double kOtherMesh = 1.3;    ///< times the nodes of the mesh that is registered
 constexpr double kLooseShare = 0.44;  ///< of the surface, as in the pair of LiverMatch
@@ -56,6 +60,23 @@ Cancellable<insilico::PulledOrgan> pulled(const TetMesh& truth, const PulledKind
   return pull_organ(truth, options, context);
 }
 
+/// An organ that has no place for its patches, or no equilibrium, is drawn again. @param seed becomes its
+/// own.
+Cancellable<insilico::PulledOrgan> pulled_somehow(const TetMesh& truth, const PulledKind& kind,
+                                                  std::uint64_t& seed, double noise, int frames,
+                                                  const RunContext& context) {
+  constexpr int kDraws = 5;
+  constexpr std::uint64_t kApart = 100000;
+  for (int draw = 1;; ++draw) {
+    try {
+      return pulled(truth, kind, seed, noise, frames, context);
+    } catch (const NumericalError&) {
+      if (draw == kDraws) throw;
+      seed += kApart;
+    }
+  }
+}
+
 /// Looks at the middle of the points from where they face it, rolled anyhow.
 CameraFromCt before_a_camera(const Points& seen, const Eigen::Vector3d& towards, double roll) {
   CameraFromCt pose;
@@ -72,6 +93,7 @@ struct Scene {
   std::vector<LabelledCloud> clouds;
   std::vector<Points> nodes;  ///< where the model's are, truly
   double moved = 0.0, moved_most = 0.0;
+  std::uint64_t seed = 0;
 };
 
 Cancellable<TetMesh> truth_of(const BareOrgan& organ, const PulledKind& kind, const RunContext& context) {
@@ -85,9 +107,10 @@ Cancellable<Scene> scene_of(const BareOrgan& organ, const PulledKind& kind, std:
                             int frames, const RunContext& context) {
   const auto truth = truth_of(organ, kind, context.part(0.0, 0.1));
   if (!truth) return std::nullopt;
-  const auto made = pulled(*truth, kind, seed, noise, frames, context.part(0.1, 1.0));
+  const auto made = pulled_somehow(*truth, kind, seed, noise, frames, context.part(0.1, 1.0));
   if (!made) return std::nullopt;
   Scene scene;
+  scene.seed = seed;
   scene.model = model::build_from_mesh(organ.mesh).model;
   if (!kind.loose) scene.held = held_nodes(organ.mesh, *made);
   scene.moved = made->mean_motion;
@@ -111,29 +134,28 @@ Eigen::VectorXd off(const Points& nodes, const Points& truth) { return (nodes - 
 /// Follows clouds as `glisson track --clouds` does.
 class Followed {
  public:
-  Followed(const PatientModel& model, const Registration& start, const std::vector<int>& held)
-      : tracker_(model, start, options(model, held)) {}
+  Followed(const PatientModel& model, const Registration& start, const std::vector<int>& held) {
+    auto built = std::make_shared<model::BuiltModel>();
+    built->model = model;
+    engine::CaseState state;
+    state[part::model] = std::move(built);
+    state[part::registration] = std::make_shared<const Registration>(start);
+    engine::StartTracking command;
+    command.source = engine::StartTracking::Source::clouds;
+    command.options.fixed_nodes = held;
+    follower_ = engine::make_follower(state, command);
+  }
 
-  const Points& follow(const LabelledCloud& cloud, int number) {
-    last_ = tracker_.follow(cloud, number, number / kFramesPerSecond, kSteps);
-    valid_ += last_.level() == Level::valid;
-    return last_.nodes_in_camera;
+  Points follow(const LabelledCloud& cloud, int number) {
+    const OverlayFrame frame =
+        follower_->follow(engine::IndexedCloud{cloud, number, number / kFramesPerSecond});
+    valid_ += frame.level() == Level::valid;
+    return frame.nodes_in_camera;
   }
   int valid() const { return valid_; }
 
  private:
-  static guidance::TrackerOptions options(const PatientModel& model, const std::vector<int>& held) {
-    const registration::ElasticOptions own = registration::options_for(model, false);
-    guidance::TrackerOptions options;
-    options.cloud.final_stiffening = own.final_stiffening;
-    options.cloud.tangential = own.tangential;
-    options.materials = options.cloud.materials = own.materials;
-    options.fixed_nodes = held;
-    return options;
-  }
-
-  guidance::Tracker tracker_;
-  OverlayFrame last_;
+  std::unique_ptr<engine::Follower> follower_;
   int valid_ = 0;
 };
 
@@ -155,16 +177,24 @@ Cancellable<PulledTrial> try_pulled(const BareOrgan& organ, const PulledKind& ki
                                     double noise, int frames, const RunContext& context) {
   const auto scene = scene_of(organ, kind, seed, noise, frames, context.part(0.0, 0.5));
   if (!scene) return std::nullopt;
-  const auto examined = registered(scene->model, scene->clouds[0], scene->held, context.part(0.5, 0.8));
-  if (!examined) return std::nullopt;
-  const Registration& found = examined->registered.registration;
   PulledTrial trial;
   trial.organ = organ.name;
   trial.kind = kind.code;
-  trial.seed = seed;
+  trial.seed = scene->seed;
   trial.noise = noise;
   trial.moved = scene->moved;
   trial.moved_most = scene->moved_most;
+  Cancellable<registration::ExaminedRegistration> examined;
+  try {
+    examined = registered(scene->model, scene->clouds[0], scene->held, context.part(0.5, 0.8));
+  } catch (const Error&) {  // as one that is infinitely far off, and told
+    trial.refused = true;
+    trial.error = trial.worst = trial.followed = trial.followed_worst =
+        std::numeric_limits<double>::infinity();
+    return trial;
+  }
+  if (!examined) return std::nullopt;
+  const Registration& found = examined->registered.registration;
   trial.error = off(found.nodes_in_camera, scene->nodes[0]).mean();
   trial.worst = off(found.nodes_in_camera, scene->nodes[0]).maxCoeff();
   trial.residual = found.residual;
@@ -174,9 +204,9 @@ Cancellable<PulledTrial> try_pulled(const BareOrgan& organ, const PulledKind& ki
   Errors errors, frozen;
   for (std::size_t k = 1; k < scene->clouds.size(); ++k) {
     if (context.cancelled()) return std::nullopt;
-    const Points& nodes = followed.follow(scene->clouds[k], static_cast<int>(k));
+    const Points nodes = followed.follow(scene->clouds[k], static_cast<int>(k));
     frozen.add(off(found.nodes_in_camera, scene->nodes[k]).mean());
-    if (nodes.rows() > 0) errors.add(off(nodes, scene->nodes[k]).mean());
+    errors.add(off(nodes, scene->nodes[k]).mean());
   }
   trial.followed = errors.mean();
   trial.followed_worst = errors.most;
@@ -206,9 +236,9 @@ Cancellable<SequenceTrial> try_sequence(const std::filesystem::path& folder, con
   for (int k = 0; k < kFrames; ++k) {
     if (context.cancelled()) return std::nullopt;
     context.progress(0.2 + 0.8 * k / kFrames, "prove.pulled");
-    const Points& nodes = followed.follow(cloud_of(k), k);
+    const Points nodes = followed.follow(cloud_of(k), k);
     ++trial.frames;
-    if (k % kTrueEvery == 0 && nodes.rows() > 0) errors.add(off(nodes, truth_of(k)).mean());
+    if (k % kTrueEvery == 0) errors.add(off(nodes, truth_of(k)).mean());
   }
   trial.followed = errors.mean();
   trial.followed_worst = errors.most;

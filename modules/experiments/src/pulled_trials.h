@@ -48,7 +48,8 @@ struct PulledTrial {
   std::vector<std::string> doubts;
 };
 
-/// @param noise of the clouds, metres a coordinate. Empty: cancelled. @throws Error.
+/// @param seed of the organ; one that cannot be pulled is drawn with another (PulledTrial::seed). @param
+/// noise of the clouds, metres a coordinate. Empty: cancelled. @throws Error.
 Cancellable<PulledTrial> try_pulled(const BareOrgan& organ, const PulledKind& kind, std::uint64_t seed,
                                     double noise, int frames, const RunContext& context);
 

@@ -57,7 +57,7 @@ class Fits {
   /// Laws that were still moving begin again where the most probable one has ended. The better of both stays.
   /// Not beside operations, as ForceFitter::settle().
   bool settle(double from, double to) {
-    if (problem_.options.prior) return true;
+    if (problem_.options.prior || !std::isfinite(best().law().log_evidence)) return true;
     std::vector<std::size_t> moving;
     for (std::size_t k = 0; k < done_; ++k) {
       const LawFit& law = fitters_[k]->law();

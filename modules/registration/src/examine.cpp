@@ -111,8 +111,11 @@ Cancellable<Findings> examine(const Examined& examined, const RunContext& contex
   if (examined.in_cameras_frame) findings.hidden = hidden_share(surface, cloud, context);
   if (context.cancelled()) return std::nullopt;
   look_at_pairs(surface, cloud, findings);
-  if (!examined.in_cameras_frame)
-    findings.hidden = findings.turned = std::numeric_limits<double>::quiet_NaN();
+  if (!examined.in_cameras_frame) {
+    const double not_asked = std::numeric_limits<double>::quiet_NaN();
+    findings.hidden = not_asked;
+    if (cloud.cloud.normals.rows() == 0) findings.turned = not_asked;
+  }
   if (examined.shapes != nullptr) {
     const ShapeFit& best = examined.shapes->best();
     findings.forced = (final_nodes - best.nodes_in_camera).rowwise().norm().mean();

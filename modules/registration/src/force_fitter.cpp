@@ -398,7 +398,7 @@ bool ForceFitter::settle(const RunContext& context) {
     const double before = best_.law.log_evidence;
     if (!std::isfinite(before)) return true;
     now_ = best_;
-    factorised_ = false;
+    strongest_ = strongest(best_);
     if (!stage(best_.law.sigma, context)) return false;
     if (!(best_.law.log_evidence > before)) return true;
   }

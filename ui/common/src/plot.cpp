@@ -95,7 +95,7 @@ class Painting {
     painter_.drawText(QRectF(0, 8, width_, 32), Qt::AlignCenter, plot_.title);
     painter_.drawText(QRectF(kLeft, kHeight - 36, width_ - kLeft - kRight, 28), Qt::AlignCenter, plot_.x);
     painter_.save();
-    painter_.translate(24, kHeight / 2);
+    painter_.translate(24.0, 0.5 * kHeight);
     painter_.rotate(-90.0);
     painter_.drawText(QRectF(-250, -16, 500, 32), Qt::AlignCenter, plot_.y);
     painter_.restore();

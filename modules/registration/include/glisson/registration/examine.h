@@ -25,7 +25,7 @@ struct Examined {
   const ShapeFits* shapes = nullptr;  ///< null: there was no prior
   const ErrorModel& error;
   /// Whether the cloud's frame is that of the camera that saw it. False: what needs to know where it stood is
-  /// not asked (hidden, turned: not a number).
+  /// not asked (hidden and, of a cloud without normals of its own, turned: not a number).
   bool in_cameras_frame = true;
 };
 /// All but mirror_odds. @throws InputError the cloud's as in prepare_cloud.
