@@ -95,7 +95,7 @@ std::string csv_of(const std::vector<PulledTrial>& trials) {
   for (const PulledTrial& trial : trials) {
     char line[300];
     std::snprintf(line, sizeof line, "%s,%s,%llu,%.1f,%.3f,%.3f,%.4f,%.3f,%.4f,%.4f,%.4f,%.3f,%d,%d,",
-                  trial.kind, trial.organ.c_str(), static_cast<unsigned long long>(trial.seed),
+                  trial.kind->code, trial.organ.c_str(), static_cast<unsigned long long>(trial.seed),
                   mm(trial.noise), mm(trial.moved), mm(trial.moved_most), mm(trial.error), mm(trial.worst),
                   mm(trial.residual), mm(trial.followed), mm(trial.followed_worst), mm(trial.frozen),
                   trial.valid, trial.frames);
@@ -124,16 +124,15 @@ void sum_up(const std::vector<PulledTrial>& trials, PulledProof& proof) {
       "kind        organ             noise   moved    most    error   worst node   followed   worst   "
       "frozen  valid  told");
   for (const PulledTrial& trial : trials) {
-    const bool loose = std::string(trial.kind) == "loose";
-    std::string kind = trial.kind;
+    std::string kind = trial.kind->code;
     std::replace(kind.begin(), kind.end(), ' ', '_');
-    for (const std::string& key : {kind, std::string(loose ? "" : "held")})
+    for (const std::string& key : {kind, std::string(trial.kind->loose ? "" : "held")})
       if (!key.empty()) groups["pulled_" + key + (trial.noise > 0.0 ? "_noise" : "")].add(trial);
     std::snprintf(line, sizeof line,
-                  "%-11s %-16s %6.1f %7.1f %7.1f %8.2f %12.1f %10.2f %7.2f %8.2f %3d/%-3d %s", trial.kind,
-                  trial.organ.c_str(), mm(trial.noise), mm(trial.moved), mm(trial.moved_most),
-                  mm(trial.error), mm(trial.worst), mm(trial.followed), mm(trial.followed_worst),
-                  mm(trial.frozen), trial.valid, trial.frames, told(trial).c_str());
+                  "%-11s %-16s %6.1f %7.1f %7.1f %8.2f %12.1f %10.2f %7.2f %8.2f %3d/%-3d %s",
+                  trial.kind->code, trial.organ.c_str(), mm(trial.noise), mm(trial.moved),
+                  mm(trial.moved_most), mm(trial.error), mm(trial.worst), mm(trial.followed),
+                  mm(trial.followed_worst), mm(trial.frozen), trial.valid, trial.frames, told(trial).c_str());
     proof.table.emplace_back(line);
   }
   for (const auto& [key, group] : groups) {

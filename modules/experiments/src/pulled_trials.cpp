@@ -119,7 +119,7 @@ Cancellable<Scene> scene_of(const BareOrgan& organ, const PulledKind& kind, std:
   const CameraFromCt camera = kind.loose ? before_a_camera(made->frames[0].cloud, made->towards_camera,
                                                            2.0 * std::numbers::pi * uniform01(random))
                                          : CameraFromCt();
-  const Binding carried = bind_points(*truth, organ.mesh.vertices, false);
+  const Binding carried = kind.other_mesh ? bind_points(*truth, organ.mesh.vertices, false) : Binding();
   for (const insilico::PulledFrame& frame : made->frames) {
     LabelledCloud cloud;
     cloud.points = camera.apply(frame.cloud);
@@ -179,7 +179,7 @@ Cancellable<PulledTrial> try_pulled(const BareOrgan& organ, const PulledKind& ki
   if (!scene) return std::nullopt;
   PulledTrial trial;
   trial.organ = organ.name;
-  trial.kind = kind.code;
+  trial.kind = &kind;
   trial.seed = scene->seed;
   trial.noise = noise;
   trial.moved = scene->moved;

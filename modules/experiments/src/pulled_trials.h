@@ -35,7 +35,7 @@ struct BareOrgan {
 /// nodes.
 struct PulledTrial {
   std::string organ;
-  const char* kind = "";
+  const PulledKind* kind = nullptr;  ///< of kPulledKinds
   std::uint64_t seed = 0;
   double noise = 0.0;
   double moved = 0.0, moved_most = 0.0;  ///< of the first frame's nodes; what doing nothing leaves

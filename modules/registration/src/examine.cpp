@@ -45,8 +45,11 @@ double hidden_share(const MovingSurface& surface, const PreparedCloud& cloud, co
   return hidden / static_cast<double>(cloud.cloud.size());
 }
 
-void look_at_pairs(const MovingSurface& surface, const PreparedCloud& cloud, Findings& findings) {
-  const Points normals = cloud.cloud.normals.rows() > 0 ? cloud.cloud.normals : estimate_normals(cloud);
+/// @param in_cameras_frame without it estimated normals have no side that they face.
+void look_at_pairs(const MovingSurface& surface, const PreparedCloud& cloud, bool in_cameras_frame,
+                   Findings& findings) {
+  const bool has_normals = cloud.cloud.normals.rows() > 0;
+  const Points normals = has_normals ? cloud.cloud.normals : estimate_normals(cloud);
   int surface_points = 0, turned = 0, margin_points = 0;
   double margin = 0.0;
   for (const Pair& pair : find_pairs(cloud, surface, {})) {
@@ -66,7 +69,8 @@ void look_at_pairs(const MovingSurface& surface, const PreparedCloud& cloud, Fin
         break;
     }
   }
-  if (surface_points > 0) findings.turned = turned / static_cast<double>(surface_points);
+  if (surface_points > 0 && (has_normals || in_cameras_frame))
+    findings.turned = turned / static_cast<double>(surface_points);
   if (margin_points >= 5) findings.margin_off = std::sqrt(margin / margin_points);
 }
 
@@ -110,12 +114,7 @@ Cancellable<Findings> examine(const Examined& examined, const RunContext& contex
   surface.move(final_nodes);
   if (examined.in_cameras_frame) findings.hidden = hidden_share(surface, cloud, context);
   if (context.cancelled()) return std::nullopt;
-  look_at_pairs(surface, cloud, findings);
-  if (!examined.in_cameras_frame) {
-    const double not_asked = std::numeric_limits<double>::quiet_NaN();
-    findings.hidden = not_asked;
-    if (cloud.cloud.normals.rows() == 0) findings.turned = not_asked;
-  }
+  look_at_pairs(surface, cloud, examined.in_cameras_frame, findings);
   if (examined.shapes != nullptr) {
     const ShapeFit& best = examined.shapes->best();
     findings.forced = (final_nodes - best.nodes_in_camera).rowwise().norm().mean();

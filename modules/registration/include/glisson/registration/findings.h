@@ -28,8 +28,10 @@ struct Findings {
   /// How far marked margin (rms) and notch lie from the model's.
   double margin_off = std::numeric_limits<double>::quiet_NaN();
   double notch_off = std::numeric_limits<double>::quiet_NaN();
-  double hidden = 0.0;  ///< share of the points that lie 10 mm and more behind the model
-  double turned = 0.0;  ///< share of the points whose own normal is against the model's (over 70 degrees)
+  /// Share of the points that lie 10 mm and more behind the model, and of those whose own normal is against
+  /// the model's (over 70 degrees). Not a number: where the camera stood is not known.
+  double hidden = std::numeric_limits<double>::quiet_NaN();
+  double turned = std::numeric_limits<double>::quiet_NaN();
   /// Logarithm of the odds of the most probable shape against that of the cloud's mirror image: a liver is
   /// not symmetric, so what fits no better than its mirror image has not been recognised.
   double mirror_odds = std::numeric_limits<double>::infinity();
