@@ -179,6 +179,9 @@ class BuildTest : public QObject {
     BuildOptions options;
     options.share = 0.0;
     QVERIFY_EXCEPTION_THROWN(build(members_, test::built_in(), options, RunContext()), InputError);
+    options = {};
+    options.threads = 3;
+    QVERIFY_EXCEPTION_THROWN(build(members_, test::built_in(), options, RunContext()), InputError);
   }
 
  private:

@@ -56,6 +56,7 @@ class CoreTest : public QObject {
   void TemporaryFolderGoesAway();
   void JsonErrorNamesLineAndColumn();
   void JsonLargerThanAnyListIsRefused();
+  void JsonLinesAreRefusedByTheirNumber();
   void NamesCompareWhateverTheirCase();
   void JsonSurvivesTheFile();
   void FiguresThatAreNotFiniteAreNullAndCountsAreWhole();
@@ -65,6 +66,8 @@ void CoreTest::UnitsOfFiles() {
   QCOMPARE(metres_per(LengthUnit::millimetre), 1e-3);
   QCOMPARE(metres_per(LengthUnit::centimetre), 1e-2);
   QCOMPARE(metres_per(LengthUnit::metre), 1.0);
+  for (const LengthUnit unit : kLengthUnits) QVERIFY(unit_named(unit_code(unit)) == unit);
+  QVERIFY(!unit_named("km"));
 }
 
 void CoreTest::InputErrorIsOneSentenceInOrder() {
@@ -273,6 +276,36 @@ void CoreTest::JsonErrorNamesLineAndColumn() {
   const std::string message = test::complaint<Error>([&] { read_json(folder.path() / "x.json"); });
   QVERIFY(message.find("line 3, column 7") != std::string::npos);
   QVERIFY_EXCEPTION_THROWN(read_json(folder.path() / "absent.json"), FileError);
+}
+
+void CoreTest::JsonLinesAreRefusedByTheirNumber() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.jsonl";
+  const auto numbers = [&path] {
+    std::vector<int> found;
+    for_each_json_line(path, "Write it anew", [&found](const nlohmann::json& object) {
+      if (!object.contains("n")) throw InputError("", "n", "is missing", "Give it");
+      found.push_back(object.at("n").get<int>());
+    });
+    return found;
+  };
+  const auto told = [&numbers] {
+    try {
+      numbers();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  put(path, "{\"n\": 3}\n\n{\"n\": 4}\n");
+  QVERIFY((numbers() == std::vector<int>{3, 4}));
+  put(path, "{\"n\": 3}\n\n{\"m\": 4}\n");
+  QCOMPARE(told(), path.string() + ": line 3, n: is missing. Give it.");
+  for (const char* malformed : {"{", "{\"n\": \"x\"}", "{\"n\": 3}\n{"}) {
+    put(path, malformed);
+    QVERIFY(told().find(": is malformed (") != std::string::npos);
+    QVERIFY(told().ends_with("). Write it anew."));
+  }
 }
 
 void CoreTest::JsonLargerThanAnyListIsRefused() {

@@ -12,6 +12,7 @@ class StatisticsTest : public QObject {
   void ConventionsDifferOnlyBetweenTwoValues();
   void OrderDoesNotMatter();
   void DeviationIgnoresOutliers();
+  void ASpreadIsMedianAndScaledDeviation();
   void EmptyListsAreRefused();
   void SharesOutsideZeroToOneAreRefused();
   void RanksOutsideTheListAreRefused();
@@ -52,9 +53,16 @@ void StatisticsTest::DeviationIgnoresOutliers() {
   QCOMPARE(median_absolute_deviation(std::vector{-3.0F, 3.0F, 3.0F}, 0.0F), 3.0F);
 }
 
+void StatisticsTest::ASpreadIsMedianAndScaledDeviation() {
+  const Spread<float> spread = robust_spread(std::vector{-1.0F, 0.0F, 1.0F, 2.0F, 1e9F});
+  QCOMPARE(spread.middle, 1.0F);
+  QCOMPARE(spread.deviation, kDeviationPerMad);
+}
+
 void StatisticsTest::EmptyListsAreRefused() {
   const std::vector<double> none;
   QVERIFY_EXCEPTION_THROWN(upper_median(none), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(robust_spread(none), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(median_absolute_deviation(none, 0.0), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(lower_percentile(none, 0.5), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(upper_percentile(none, 0.5), PreconditionError);

@@ -9,11 +9,11 @@
 #include "glisson/atlas/correspond.h"
 #include "glisson/core/error.h"
 #include "glisson/core/random.h"
+#include "glisson/core/share_out.h"
 #include "glisson/core/statistics.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
 #include "mirrored.h"
-#include "side_by_side.h"
 #include "statistics.h"
 
 namespace glisson::atlas {
@@ -87,11 +87,12 @@ class Builder {
     int done = 0;
     bool whole = true;
     const RunContext span = context_.part(from, to);
-    side_by_side(static_cast<int>(count()), options_.threads, [&](int i) {
-      const bool finished = !context_.cancelled() && work(static_cast<std::size_t>(i));
+    share_out(count(), options_.threads, [&](std::size_t i, bool here) {
+      const bool finished = !context_.cancelled() && work(i);
       const std::lock_guard lock(guard);
       whole = whole && finished;
-      span.progress(static_cast<double>(++done) / static_cast<double>(count()), stage);
+      ++done;
+      if (here) span.progress(static_cast<double>(done) / static_cast<double>(count()), stage);
     });
     return whole && !context_.cancelled();
   }
@@ -381,7 +382,7 @@ void BuildOptions::validate() const {
         "Give a number from 0 to 0.1 m");
   check(added_unusual >= 1.0 && added_unusual < 100.0, "added_unusual", added_unusual,
         "Choose 1 and more: over what is usual");
-  check(threads >= 1 && threads <= 64, "threads", threads, "Give a number from 1 to 64");
+  check(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 
 Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, const BuildOptions& options,

@@ -76,8 +76,8 @@ std::vector<Eigen::Matrix3d> rotations(const Points& rest, const Points& now,
 /// Farther than this a pair is none.
 double far_away(const std::vector<double>& distances) {
   if (distances.empty()) return 0.0;
-  const double middle = upper_median(distances);
-  return middle + kFarDeviations * kDeviationPerMad * median_absolute_deviation(distances, middle) + 1e-12;
+  const auto [middle, deviation] = robust_spread(distances);
+  return middle + kFarDeviations * deviation + 1e-12;
 }
 
 class Fitter {

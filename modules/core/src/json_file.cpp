@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <system_error>
 
 #include "glisson/core/error.h"
@@ -31,6 +33,23 @@ nlohmann::json read_json(const std::filesystem::path& path) {
                      "is not valid JSON", "Correct it there or write the file anew");
   } catch (const nlohmann::json::exception&) {
     throw InputError(path.string(), "", "holds a number that is larger than any", "Write the file anew");
+  }
+}
+
+void for_each_json_line(const std::filesystem::path& path, const char* remedy,
+                        const std::function<void(const nlohmann::json&)>& take) {
+  std::istringstream lines(read_file(path));
+  int count = 0;
+  for (std::string text; std::getline(lines, text);) {
+    const std::string line = "line " + std::to_string(++count);
+    if (text.empty()) continue;
+    try {
+      take(nlohmann::json::parse(text));
+    } catch (const InputError& error) {
+      throw InputError(path.string(), line + ", " + error.field(), error.problem(), error.remedy());
+    } catch (const std::exception& failure) {
+      throw InputError(path.string(), line, std::string("is malformed (") + failure.what() + ")", remedy);
+    }
   }
 }
 

@@ -176,8 +176,7 @@ Looks looks_at(const Image& image, const Part& part, const Eigen::Vector3d& a, c
     gather(image, part, place, kRingFrom, kRingTo, around);
   }
   if (around.empty()) around = {0.5 * (ends[0] + ends[1])};
-  const double beside = upper_median(around);
-  const double noise = kDeviationPerMad * median_absolute_deviation(std::move(around), beside);
+  const auto [beside, noise] = robust_spread(std::move(around));
   // The end that stands out more tells whether the vessel is bright or dark.
   const double first = ends[0] - beside, second = ends[1] - beside;
   const double difference = std::abs(first) > std::abs(second) ? first : second;

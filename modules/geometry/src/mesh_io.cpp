@@ -64,10 +64,6 @@ void require_same_rows(const NamedArrays& arrays, Eigen::Index rows) {
 
 }  // namespace
 
-const char* unit_code(LengthUnit unit) {
-  return unit == LengthUnit::millimetre ? "mm" : unit == LengthUnit::centimetre ? "cm" : "m";
-}
-
 bool is_tetrahedral(const fs::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".msh") return formats::read_msh(path).mesh.tetrahedron_count() > 0;

@@ -11,7 +11,6 @@
 #include "glisson/fem/integrator.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/insilico/ray_caster.h"
-#include "glisson/model/build.h"
 #include "handled_loads.h"
 #include "operator_hand.h"
 #include "patch.h"
@@ -157,9 +156,7 @@ Cancellable<HandledLiver> HandledLiver::build(const PatientModel& patient, const
   options.validate();
   auto impl = std::make_unique<Impl>();
   const TriangleMesh closed = liver_of(patient);
-  model::MeshOptions meshing;
-  meshing.target_vertices = options.truth_vertices;
-  auto mesh = model::mesh_surface(closed, meshing, context.part(0.0, 0.3));
+  auto mesh = truth_mesh(closed, options.truth_vertices, context.part(0.0, 0.3));
   if (!mesh) return std::nullopt;
   impl->mesh = std::move(*mesh);
   impl->landmarks = complete_landmarks(patient.landmarks, closed);

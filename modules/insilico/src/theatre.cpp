@@ -11,7 +11,6 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/insilico/ray_caster.h"
-#include "glisson/model/build.h"
 #include "patch.h"
 #include "theatre_anatomy.h"
 #include "theatre_camera.h"
@@ -151,9 +150,7 @@ Cancellable<std::unique_ptr<Theatre>> Theatre::build(const PatientModel& patient
   auto impl = std::make_unique<Impl>();
   impl->options = options;
   const TriangleMesh closed = liver_of(patient);
-  model::MeshOptions meshing;
-  meshing.target_vertices = options.truth_vertices;
-  auto mesh = model::mesh_surface(closed, meshing, context.part(0.0, 0.15));
+  auto mesh = truth_mesh(closed, options.truth_vertices, context.part(0.0, 0.15));
   if (!mesh) return std::nullopt;
   impl->mesh = std::move(*mesh);
   label_lesions(impl->mesh, patient.surfaces);

@@ -126,6 +126,12 @@ TriangleMesh liver_of(const PatientModel& patient) {
   return liver;
 }
 
+Cancellable<TetMesh> truth_mesh(const TriangleMesh& closed, int vertices, const RunContext& context) {
+  model::MeshOptions meshing;
+  meshing.target_vertices = vertices;
+  return model::mesh_surface(closed, meshing, context);
+}
+
 TriangleMesh refine_for_drawing(TriangleMesh surface, int triangles) {
   while (surface.triangle_count() < triangles) surface = split_in_four(surface);
   return surface;

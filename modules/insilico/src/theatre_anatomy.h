@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "glisson/core/run_context.h"
 #include "glisson/patient/patient_model.h"
 
 namespace glisson::insilico {
@@ -8,6 +9,10 @@ namespace glisson::insilico {
 /// The closed outer surface of the patient's liver: the surface named "liver" (or of the parenchyma), its
 /// largest component; else the boundary of the mesh. Outward. @throws InputError none, or not closed.
 TriangleMesh liver_of(const PatientModel& patient);
+
+/// What is inside, finer than the model that is registered: the truth moves by it. @param closed as
+/// liver_of(). @param vertices about so many.
+Cancellable<TetMesh> truth_mesh(const TriangleMesh& closed, int vertices, const RunContext& context);
 
 /// Fine enough to be drawn without facets: triangles split in four, new vertices on the surface that the
 /// vertex normals suggest (Phong tessellation, Boubekeur and Alexa 2008), until there are `triangles`.

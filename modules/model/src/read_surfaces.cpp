@@ -238,7 +238,7 @@ std::vector<Source> sources_in_list(const fs::path& path, LengthUnit unit) {
       R"(Write {"unit": "mm", "structures": {"liver": "liver.stl", "portal_vein": {"file": "pv.ply", "unit": "m"}}})";
   const auto unit_of = [&](const nlohmann::json& entry, LengthUnit otherwise, const std::string& field) {
     if (!entry.contains("unit")) return otherwise;
-    for (const LengthUnit known : {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre})
+    for (const LengthUnit known : kLengthUnits)
       if (entry["unit"] == unit_code(known)) return known;
     refuse(path, field, "is none of mm, cm, m", remedy);
   };

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
 #include "named.h"
 
 namespace glisson {
@@ -100,23 +99,10 @@ std::string undone_line(int frame, double seconds) {
 
 std::vector<CorrectionLine> read_corrections(const std::filesystem::path& path) {
   std::vector<CorrectionLine> lines;
-  std::istringstream text(read_file(path));
-  int count = 0;
-  for (std::string one; std::getline(text, one);) {
-    ++count;
-    if (one.empty()) continue;
-    try {
-      const json object = json::parse(one);
-      if (object.contains(kKey)) lines.push_back(line_of(object));
-    } catch (const InputError& error) {
-      throw InputError(path.string(), "line " + std::to_string(count) + ", " + error.field(), error.problem(),
-                       error.remedy());
-    } catch (const std::exception& failure) {
-      throw InputError(path.string(), "line " + std::to_string(count),
-                       std::string("is malformed (") + failure.what() + ")",
-                       "Give lines as 'glisson track --correct' writes them into frames.jsonl");
-    }
-  }
+  for_each_json_line(path, "Give lines as 'glisson track --correct' writes them into frames.jsonl",
+                     [&lines](const json& object) {
+                       if (object.contains(kKey)) lines.push_back(line_of(object));
+                     });
   std::stable_sort(lines.begin(), lines.end(),
                    [](const auto& a, const auto& b) { return a.frame < b.frame; });
   return lines;

@@ -12,7 +12,6 @@
 namespace glisson {
 namespace {
 
-bool is_liver_tissue(Label label) { return label == structure::kParenchyma || is_lesion(label); }
 bool is_liver_vessel(Label label) {
   return label == structure::kPortalVein || label == structure::kHepaticVeins || label == structure::kArtery;
 }

@@ -132,7 +132,7 @@ void write_cloud(const std::filesystem::path& path, const LabelledCloud& cloud, 
   require(cloud.points.allFinite(), "the points of a cloud are finite");
 
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment Glisson, left camera's frame, ";
-  text += unit == LengthUnit::millimetre ? "mm" : unit == LengthUnit::centimetre ? "cm" : "m";
+  text += unit_code(unit);
   text +=
       "\nelement vertex " + std::to_string(n) + "\nproperty double x\nproperty double y\nproperty double z\n";
   if (has_normals) text += "property float nx\nproperty float ny\nproperty float nz\n";

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
@@ -22,7 +21,6 @@ constexpr const char* kAgain = "registered_again";
 
 using nlohmann::json;
 
-constexpr LengthUnit kUnits[] = {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre};
 constexpr Level kLevels[] = {Level::valid, Level::degraded, Level::withdrawn};
 
 json rows_of(const Eigen::MatrixXd& matrix) {
@@ -194,7 +192,7 @@ OverlayLine line_of(const json& object) {
     if (line.mesh.empty() || std::filesystem::path(line.mesh).filename() != line.mesh)
       throw std::invalid_argument("mesh '" + line.mesh + "' is no file beside it");
   }
-  line.unit = named(kUnits, unit_code, object.at("unit").get<std::string>(), "unit");
+  line.unit = named(kLengthUnits, unit_code, object.at("unit").get<std::string>(), "unit");
   const double metres = metres_per(line.unit);
   line.camera_from_model = square_of<4>(object.at("camera_from_model"), "camera_from_model");
   line.camera_from_model->topRightCorner<3, 1>() *= metres;
@@ -264,26 +262,12 @@ std::string again_line(const AgainLine& line) {
 
 OverlayRecord read_overlay_record(const std::filesystem::path& path) {
   OverlayRecord record;
-  std::istringstream lines(read_file(path));
-  int count = 0;
-  for (std::string text; std::getline(lines, text);) {
-    ++count;
-    if (text.empty()) continue;
-    try {
-      const json object = json::parse(text);
-      if (object.contains("complete"))
-        record.complete = object.at("complete").get<bool>();
-      else if (!object.contains("correct") && !object.contains(kAgain))  // by hand: see correction.h
-        record.frames.push_back(line_of(object));
-    } catch (const InputError& error) {
-      throw InputError(path.string(), "line " + std::to_string(count) + ", " + error.field(), error.problem(),
-                       error.remedy());
-    } catch (const std::exception& failure) {
-      throw InputError(path.string(), "line " + std::to_string(count),
-                       std::string("is malformed (") + failure.what() + ")",
-                       "Give what 'glisson track' wrote");
-    }
-  }
+  for_each_json_line(path, "Give what 'glisson track' wrote", [&record](const json& object) {
+    if (object.contains("complete"))
+      record.complete = object.at("complete").get<bool>();
+    else if (!object.contains("correct") && !object.contains(kAgain))  // by hand: see correction.h
+      record.frames.push_back(line_of(object));
+  });
   return record;
 }
 

@@ -18,6 +18,12 @@ Eigen::Matrix<double, 1, 6> symmetric_row(const Eigen::Matrix3d& m) {
   return row;
 }
 
+Eigen::Matrix3d symmetric_matrix(const Eigen::Matrix<double, 1, 6>& row) {
+  Eigen::Matrix3d m;
+  m << row[0], row[3], row[5], row[3], row[1], row[4], row[5], row[4], row[2];
+  return m;
+}
+
 std::string fork_name(const ForkSpread& fork) {
   return structure_name(fork.tree) + kFork + std::to_string(fork.order);
 }

@@ -7,6 +7,8 @@ bool is_lesion(Label label) { return label >= structure::kFirstLesion && label <
 
 bool is_other(Label label) { return label >= structure::kFirstOther && label <= structure::kLastOther; }
 
+bool is_liver_tissue(Label label) { return label == structure::kParenchyma || is_lesion(label); }
+
 std::optional<Label> structure_named(const std::string& name) {
   for (int label = structure::kBackground; label <= structure::kLastLesion; ++label)
     if (structure_name(static_cast<Label>(label)) == name) return static_cast<Label>(label);

@@ -75,16 +75,6 @@ std::vector<ForkSpread> forks_of(const PatientModel& model, const Registration& 
   return spreads;
 }
 
-namespace {
-
-Eigen::Matrix3d matrix_of(const Eigen::Matrix<double, 1, 6>& row) {
-  Eigen::Matrix3d m;
-  m << row[0], row[3], row[5], row[3], row[1], row[4], row[5], row[4], row[2];
-  return m;
-}
-
-}  // namespace
-
 Registration carried_to(const PatientModel& model, Registration registration, const Points& nodes_in_camera) {
   require(nodes_in_camera.rows() == registration.nodes_in_camera.rows(),
           "an organ that has moved has the nodes that it had");
@@ -95,7 +85,8 @@ Registration carried_to(const PatientModel& model, Registration registration, co
   for (LesionSpread& lesion : registration.lesions) lesion.covariance = turned(lesion.covariance);
   for (ForkSpread& fork : registration.forks) fork.covariance = turned(fork.covariance);
   for (Eigen::Index i = 0; i < registration.covariances.rows(); ++i)
-    registration.covariances.row(i) = symmetric_row(turned(matrix_of(registration.covariances.row(i))));
+    registration.covariances.row(i) =
+        symmetric_row(turned(symmetric_matrix(registration.covariances.row(i))));
   registration.rivals.clear();
   registration.looks.clear();
   registration.forces.clear();

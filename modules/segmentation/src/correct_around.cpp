@@ -24,8 +24,6 @@ constexpr double kReach = 2.5;       // of the depth, beyond which labels stay
 constexpr float kWeight = 0.1F;      // per mm, of evidence and odds; a border costs 0.1 to 1 per mm^2
 constexpr double kGreyOfLiver = 110.0, kNoiseOfLiver = 8.0;  // HU, that an MRI's greys are carried to
 
-bool is_liver_tissue(Label label) { return label == structure::kParenchyma || is_lesion(label); }
-
 enum class Holder { nobody, click, other };
 
 /// Whose side a place is whatever the cut says: that of the nearest click, if it is near.
@@ -63,9 +61,8 @@ void carry_to_ct(Field& field, const Mask& liver) {
   std::vector<float> greys;
   for (std::size_t i = 0; i < liver.voxels.size(); ++i)
     if (liver.voxels[i] != 0) greys.push_back(field.values[i]);
-  const float middle = upper_median(greys);
-  const double sigma = std::max(
-      1e-3, kDeviationPerMad * static_cast<double>(median_absolute_deviation(std::move(greys), middle)));
+  const auto [middle, deviation] = robust_spread(std::move(greys));
+  const double sigma = std::max(1e-3, deviation);
   for (float& v : field.values)
     v = static_cast<float>(kGreyOfLiver + kNoiseOfLiver / sigma * static_cast<double>(v - middle));
 }

@@ -43,9 +43,8 @@ bool is_organ(const LesionScene& scene, std::size_t at) {
 }
 
 Tissue tissue_of(std::vector<float> values, double low_sigma, double high_sigma) {
-  const float middle = upper_median(values);
-  return {middle, std::clamp(kDeviationPerMad * median_absolute_deviation(std::move(values), middle),
-                             low_sigma, high_sigma)};
+  const auto [middle, deviation] = robust_spread(std::move(values));
+  return {middle, std::clamp(deviation, low_sigma, high_sigma)};
 }
 
 /// The liver around the click.

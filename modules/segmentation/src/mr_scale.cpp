@@ -130,8 +130,8 @@ Tissue liver_of(const Evened& mr, const Corrected& corrected, const Image& image
                            mr.coarse));
   if (values.empty())
     throw InputError("seeds", "liver", "has no point", "Click at least one point inside the liver");
-  const float middle = upper_median(values);
-  return {middle, kDeviationPerMad * median_absolute_deviation(std::move(values), middle)};
+  const auto [middle, deviation] = robust_spread(std::move(values));
+  return {middle, deviation};
 }
 
 void check_vessels(const Corrected& corrected, const Seeds& seeds, const Anchors& anchors) {

@@ -260,7 +260,7 @@ void note_clicks(const Painting& painting, const Seeds& seeds, SegmentationRepor
   }
   for (Eigen::Index n = 0; n < seeds.background.rows(); ++n) {
     const Label label = label_at(seeds.background, n);
-    if (label == structure::kParenchyma || is_lesion(label))
+    if (is_liver_tissue(label))
       report.notes.push_back("seed.not_liver_taken " + std::to_string(n + 1) + " " + structure_name(label));
   }
 }

@@ -16,10 +16,9 @@ constexpr double kDrift = 8.0;
 
 Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_sigma) {
   Tissue tissue;
-  const float middle = upper_median(values);
-  tissue.mean = middle;
-  tissue.sigma = std::clamp(kDeviationPerMad * median_absolute_deviation(std::move(values), middle),
-                            low_sigma, high_sigma);
+  const Spread<float> spread = robust_spread(std::move(values));
+  tissue.mean = spread.middle;
+  tissue.sigma = std::clamp(spread.deviation, low_sigma, high_sigma);
   return tissue;
 }
 
@@ -65,8 +64,7 @@ Tissue liver_at(const Field& ct, const std::vector<Eigen::Vector3i>& clicks) {
     means.push_back(static_cast<float>(one.mean));
     sigmas.push_back(static_cast<float>(one.sigma));
   }
-  const float middle = upper_median(means);
-  const double between = kDeviationPerMad * median_absolute_deviation(means, middle);
+  const auto [middle, between] = robust_spread(std::move(means));
   return {middle, std::clamp(std::hypot(std::max(between, kDrift), upper_median(sigmas)), kLeastLiverSigma,
                              kMostLiverSigma)};
 }

@@ -56,9 +56,7 @@ class Reader {
 
   double metres_per_unit() const {
     const std::string unit = scalar("unit");
-    if (unit == "mm") return metres_per(LengthUnit::millimetre);
-    if (unit == "cm") return metres_per(LengthUnit::centimetre);
-    if (unit == "m") return metres_per(LengthUnit::metre);
+    if (const auto known = unit_named(unit)) return metres_per(*known);
     throw InputError(file_, "unit", "is \"" + unit.substr(0, 20) + "\", which is no unit of length here",
                      "Write mm, cm or m: the unit of T");
   }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "glisson/engine/parts/labels.h"
+#include "same_value.h"
 
 namespace glisson::engine {
 namespace {
@@ -22,10 +23,6 @@ void load(CaseState& state, const json& entry, const CaseFolder&) {
   state[part::review] = std::make_shared<const Review>(std::move(review));
 }
 
-bool same(const CaseState& written, const CaseState& read) {
-  return *written[part::review] == *read[part::review];
-}
-
 }  // namespace
 
 const PartOf<Review> part::review{{.code = "review",
@@ -33,7 +30,7 @@ const PartOf<Review> part::review{{.code = "review",
                                    .remedy = "Look at the labels and say so first",
                                    .save = save,
                                    .load = load,
-                                   .same = same,
+                                   .same = same_value(part::review),
                                    .stands_alone = true,
                                    .is_input = false}};
 

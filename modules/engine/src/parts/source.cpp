@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "glisson/engine/parts/image.h"
+#include "same_value.h"
 
 namespace glisson::engine {
 namespace {
@@ -35,10 +36,6 @@ void load(CaseState& state, const json& entry, const CaseFolder&) {
   state[part::source] = std::make_shared<const DicomSource>(std::move(source));
 }
 
-bool same(const CaseState& written, const CaseState& read) {
-  return *written[part::source] == *read[part::source];
-}
-
 }  // namespace
 
 const PartOf<DicomSource> part::source{{.code = "source",
@@ -46,7 +43,7 @@ const PartOf<DicomSource> part::source{{.code = "source",
                                         .remedy = "Import a CT from its DICOM folder first",
                                         .save = save,
                                         .load = load,
-                                        .same = same,
+                                        .same = same_value(part::source),
                                         .stands_alone = true,
                                         .is_input = false}};
 

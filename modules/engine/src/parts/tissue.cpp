@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "glisson/core/error.h"
+#include "same_value.h"
 
 namespace glisson::engine {
 namespace {
@@ -25,17 +26,13 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   }
 }
 
-bool same(const CaseState& written, const CaseState& read) {
-  return *written[part::tissue] == *read[part::tissue];
-}
-
 }  // namespace
 
 const PartOf<fem::Tissue> part::tissue{{.code = "tissue",
                                         .remedy = "Say how stiff the liver or a lesion is first (Model)",
                                         .save = save,
                                         .load = load,
-                                        .same = same,
+                                        .same = same_value(part::tissue),
                                         .stands_alone = true}};
 
 fem::Tissue tissue_of(const CaseState& state, bool with_parenchyma) {

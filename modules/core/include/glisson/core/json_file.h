@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,6 +11,13 @@ namespace glisson {
 
 /// Reads a JSON file. @throws FileError when missing, InputError with line and column when malformed.
 nlohmann::json read_json(const std::filesystem::path& path);
+
+/// Reads a file of a JSON object a line, empty lines left out, and hands each over.
+/// @param take may throw whatever the object is refused by: it is told of the line. @param remedy for a line
+/// that is no JSON, or that something else than an InputError is thrown for.
+/// @throws FileError when missing, InputError "PATH: line 3, FIELD: ...".
+void for_each_json_line(const std::filesystem::path& path, const char* remedy,
+                        const std::function<void(const nlohmann::json&)>& take);
 
 /// Writes JSON, indented by two, atomically (see write_file_atomically). @throws FileError.
 void write_json(const std::filesystem::path& path, const nlohmann::json& document);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "glisson/core/error.h"
@@ -46,6 +47,21 @@ template <class T>
 T median_absolute_deviation(std::vector<T> values, T centre) {
   for (T& value : values) value = std::abs(value - centre);
   return upper_median(std::move(values));
+}
+
+/// Median and scaled median absolute deviation: mean and deviation of a normal distribution, whatever a few
+/// outliers are.
+template <class T>
+struct Spread {
+  T middle{};
+  double deviation = 0.0;
+};
+/// @pre not empty
+template <class T>
+Spread<T> robust_spread(std::vector<T> values) {
+  const T middle = upper_median(values);
+  return {middle,
+          kDeviationPerMad * static_cast<double>(median_absolute_deviation(std::move(values), middle))};
 }
 
 /// The value below which `share` of the others lie; the next smaller (larger) one where the place is between

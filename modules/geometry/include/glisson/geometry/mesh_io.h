@@ -78,7 +78,4 @@ bool plausible_liver_size(const Points& points);
 /// @throws InputError when it cannot be a liver; the remedy names the unit that would fit, if one does.
 void check_liver_size(const Points& points, LengthUnit unit, const std::string& name);
 
-/// "mm", "cm", "m".
-const char* unit_code(LengthUnit unit);
-
 }  // namespace glisson

@@ -35,6 +35,8 @@ inline constexpr Label kLastLesion = 255;
 bool is_lesion(Label label);
 /// kFirstOther to kLastOther.
 bool is_other(Label label);
+/// Parenchyma, or a lesion.
+bool is_liver_tissue(Label label);
 /// Code for people and files: "parenchyma", "portal_vein", ..., "lesion_1". Not translated.
 std::string structure_name(Label label);
 /// The label whose structure_name() is `name`; "label_12345" has none.

@@ -39,6 +39,7 @@ struct LesionLooks {
 /// Symmetric matrices, a row each: xx, yy, zz, xy, yz, xz (VTK's order).
 using SymmetricRows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 Eigen::Matrix<double, 1, 6> symmetric_row(const Eigen::Matrix3d& matrix);
+Eigen::Matrix3d symmetric_matrix(const Eigen::Matrix<double, 1, 6>& row);
 
 /// Where a vessel tree forks, as far as it is known.
 struct ForkSpread {
