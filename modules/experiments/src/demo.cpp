@@ -33,12 +33,12 @@
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
-#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/engine/register_options.h"
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/outline_distance.h"
@@ -207,9 +207,8 @@ class DemoRun {
 
   /// The same cloud by contact forces, on the same operations: its figures beside ours, nothing else of it.
   void compare_forces(const std::string& prefix) {
-    registration::RegisterOptions options = engine::Register{};
+    registration::RegisterOptions options = engine::options_with_looks(state(), engine::Register{});
     options.method = registration::Method::forces;
-    options.landmarks_are_placed = state()[part::landmarks] != nullptr;
     const registration::KnownOperations known = engine::known_operations(state(), context_.seed());
     const Stopwatch watch;
     const auto made = registration::register_model(engine::effective_model(state()), *state()[part::cloud],

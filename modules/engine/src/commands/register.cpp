@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/register.h"
 
+#include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
@@ -13,11 +15,30 @@
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/tissue.h"
+#include "glisson/engine/register_options.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "registration_figures.h"
 
 namespace glisson::engine {
+namespace {
+
+std::vector<std::string> notes_of(const CaseState& state, const PatientModel& model,
+                                  const registration::RegisterOptions& options,
+                                  const Registration& registration) {
+  std::vector<std::string> notes = registration.doubts;
+  const auto add = [&notes](std::vector<std::string> more) {
+    notes.insert(notes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  for (const Label gone : fem::lesions_not_there(options.tissue, model))
+    notes.push_back("tissue.no_lesion " + structure_name(gone));
+  add(landmark_notes(state));
+  add(registration::look_notes(model, registration));
+  return notes;
+}
+
+}  // namespace
+
 CommandTraits Register::traits() const {
   return {.code = "register",
           .reads = {part::model, part::landmarks, part::tissue, part::operations, part::proposals,
@@ -29,27 +50,18 @@ CommandTraits Register::traits() const {
 
 Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& context) const {
   const registration::KnownOperations known = known_operations(state, context.seed());
-  registration::RegisterOptions options = *this;
-  options.landmarks_are_placed = state[part::landmarks] != nullptr;
-  if (options.tissue.empty()) options.tissue = tissue_of(state, !options.materials);
-  for (const auto& look : looks_to_join(state)) options.looks.push_back(*look);
+  const registration::RegisterOptions options = options_with_looks(state, *this);
   const PatientModel model = effective_model(state);
   auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
   if (!examined) return {};
-  registration::Registered* made = &examined->registered;
-  Applied applied{state, figures_of(*examined)};
-  applied.notes = made->registration.doubts;
-  for (const Label gone : fem::lesions_not_there(options.tissue, model))
-    applied.notes.push_back("tissue.no_lesion " + structure_name(gone));
-  for (std::string& note : landmark_notes(state)) applied.notes.push_back(std::move(note));
-  for (std::string& note : registration::look_notes(model, made->registration))
-    applied.notes.push_back(std::move(note));
-  if (made->operations && made->operations != known.prior)
+  registration::Registered& made = examined->registered;
+  Applied applied{state, figures_of(*examined), notes_of(state, model, options, made.registration)};
+  if (made.operations && made.operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
         state[part::model], state[part::landmarks], registration::operation_of(options, model),
-        context.seed(), std::move(made->operations)});
+        context.seed(), std::move(made.operations)});
   keep_former_registration(applied.state, state);
-  applied.state[part::registration] = std::make_shared<const Registration>(std::move(made->registration));
+  applied.state[part::registration] = std::make_shared<const Registration>(std::move(made.registration));
   return applied;
 }
 

@@ -13,6 +13,7 @@
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/tissue.h"
+#include "glisson/engine/register_options.h"
 #include "glisson/registration/register_again.h"
 #include "registration_figures.h"
 
@@ -21,13 +22,11 @@ namespace {
 
 Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
                                                       const PointsIn<CameraFrame>& seen,
-                                                      registration::RegisterOptions options,
+                                                      const registration::RegisterOptions& options,
                                                       const RunContext& context) {
-  options.landmarks_are_placed = state[part::landmarks] != nullptr;
-  if (options.tissue.empty()) options.tissue = tissue_of(state, !options.materials);
   const LabelledCloud none;
   return registration::register_again(effective_model(state), state[part::cloud] ? *state[part::cloud] : none,
-                                      seen, *state[part::registration], options, context,
+                                      seen, *state[part::registration], options_of(state, options), context,
                                       known_operations(state, context.seed()));
 }
 
