@@ -252,11 +252,9 @@ int Arguments::integer(const QString& name, int low, int high) const {
 }
 
 LengthUnit Arguments::unit(const QString& name) const {
-  const QString code = value(name);
-  if (code == "mm") return LengthUnit::millimetre;
-  if (code == "cm") return LengthUnit::centimetre;
-  if (code == "m") return LengthUnit::metre;
-  throw UsageError("--" + name.toStdString() + " " + code.toStdString() + ": must be mm, cm or m.");
+  const std::string code = value(name).toStdString();
+  if (const auto unit = unit_named(code)) return *unit;
+  throw UsageError("--" + name.toStdString() + " " + code + ": must be mm, cm or m.");
 }
 
 QStringList Arguments::positionals(int low, int high) const {

@@ -124,12 +124,9 @@ std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments)
 }
 
 registration::Method given_method(const Arguments& arguments) {
-  const QString name = arguments.value("method");
-  if (name == "automatic") return registration::Method::automatic;
-  if (name == "forces") return registration::Method::forces;
-  if (name == "springs") return registration::Method::springs;
-  if (name == "paper") return registration::Method::paper;
-  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
+  const std::string name = arguments.value("method").toStdString();
+  if (const auto method = value_in(registration::kMethodCodes, name)) return *method;
+  throw UsageError("--method " + name + ": must be automatic, forces, springs or paper.");
 }
 
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session) {

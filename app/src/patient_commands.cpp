@@ -21,6 +21,7 @@
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/ui/common/series_texts.h"
+#include "glisson/volume/io.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -28,24 +29,16 @@ namespace {
 
 /// "portal_vein,hepatic_veins": what is found anew. Everything where nothing is said.
 segmentation::Structures structures_from(const QString& list) {
-  segmentation::Structures structures;
-  if (list.isEmpty()) return structures;
-  const std::array<std::pair<const char*, bool*>, 6> known = {{{"liver", &structures.liver},
-                                                               {"portal_vein", &structures.portal_vein},
-                                                               {"hepatic_veins", &structures.hepatic_veins},
-                                                               {"vena_cava", &structures.vena_cava},
-                                                               {"gallbladder", &structures.gallbladder},
-                                                               {"lesions", &structures.lesions}}};
-  for (const auto& [name, wanted] : known) *wanted = false;
+  if (list.isEmpty()) return {};
+  segmentation::Structures structures = segmentation::kNoStructures;
   for (const QString& part : list.split(',')) {
-    const auto found = std::find_if(known.begin(), known.end(),
-                                    [&](const auto& entry) { return part == QLatin1String(entry.first); });
-    if (found == known.end())
+    const auto wanted = value_in(segmentation::kStructureCodes, part.toStdString());
+    if (!wanted)
       throw UsageError(Cli::tr("--only %1: is no structure that is found. Use liver, portal_vein, "
                                "hepatic_veins, vena_cava, gallbladder or lesions, with commas.")
                            .arg(part)
                            .toStdString());
-    *found->second = true;
+    structures.*(*wanted) = true;
   }
   return structures;
 }
@@ -83,8 +76,8 @@ std::optional<Eigen::AlignedBox3d> region_from(const QString& text) {
 
 std::optional<Modality> modality_from(const QString& text) {
   if (text.isEmpty()) return {};
-  if (text == QLatin1String("ct")) return Modality::ct;
-  if (text == QLatin1String("mr")) return Modality::mr;
+  const auto modality = modality_named(text.toStdString());
+  if (modality && *modality != Modality::other) return modality;
   throw UsageError(Cli::tr("--modality %1: write ct or mr.").arg(text).toStdString());
 }
 

@@ -10,11 +10,9 @@
 namespace glisson::app {
 namespace {
 
-fem::LinearSolver linear_solver(const QString& name) {
-  if (name == "direct") return fem::LinearSolver::direct;
-  if (name == "fast") return fem::LinearSolver::fast;
-  if (name == "reference") return fem::LinearSolver::reference;
-  throw UsageError("--solver " + name.toStdString() + ": must be direct, fast or reference.");
+fem::LinearSolver linear_solver(const std::string& name) {
+  if (const auto solver = value_in(fem::kSolverCodes, name)) return *solver;
+  throw UsageError("--solver " + name + ": must be direct, fast or reference.");
 }
 
 }  // namespace
@@ -48,7 +46,7 @@ int run_simulate(const QStringList& given) {
   command.options.steps = arguments.integer("steps", 1, 10000000);
   command.options.time_step = arguments.number("dt", 1e-6, 10.0);
   command.options.static_solve = arguments.has("static");
-  command.options.solver = linear_solver(arguments.value("solver"));
+  command.options.solver = linear_solver(arguments.value("solver").toStdString());
   command.options.solver_tolerance = arguments.number("tolerance", 1e-12, 0.1);
   command.every = arguments.integer("every", 1, 10000000);
   command.materials = materials(arguments);

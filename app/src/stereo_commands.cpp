@@ -26,19 +26,15 @@ namespace fs = std::filesystem;
 namespace {
 
 stereo::Method method_of(const Arguments& arguments) {
-  const QString code = arguments.value("method");
-  if (code == "sparse") return stereo::Method::sparse;
-  if (code == "dense") return stereo::Method::dense;
-  if (code == "auto") return stereo::Method::automatic;
-  throw UsageError("--method " + code.toStdString() + ": must be sparse, dense or auto.");
+  const std::string code = arguments.value("method").toStdString();
+  if (const auto method = value_in(stereo::kMethodCodes, code == "auto" ? "automatic" : code)) return *method;
+  throw UsageError("--method " + code + ": must be sparse, dense or auto.");
 }
 
 stereo::Features features_of(const Arguments& arguments) {
-  const QString code = arguments.value("features");
-  if (code == "surf") return stereo::Features::surf;
-  if (code == "sift") return stereo::Features::sift;
-  if (code == "akaze") return stereo::Features::akaze;
-  throw UsageError("--features " + code.toStdString() + ": must be surf, sift or akaze.");
+  const std::string code = arguments.value("features").toStdString();
+  if (const auto features = value_in(stereo::kFeatureCodes, code)) return *features;
+  throw UsageError("--features " + code + ": must be surf, sift or akaze.");
 }
 
 /// Two whole numbers with an x between, as 14x10.

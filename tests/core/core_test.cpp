@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "complaint.h"
+#include "glisson/core/codes.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
@@ -35,6 +36,7 @@ class CoreTest : public QObject {
   Q_OBJECT
  private slots:
   void UnitsOfFiles();
+  void CodesGoBothWays();
   void InputErrorIsOneSentenceInOrder();
   void RequireThrowsOnlyWhenBroken();
   void SamePurposeAndSeedGiveTheSameNumbers();
@@ -66,6 +68,14 @@ void CoreTest::UnitsOfFiles() {
   QCOMPARE(metres_per(LengthUnit::millimetre), 1e-3);
   QCOMPARE(metres_per(LengthUnit::centimetre), 1e-2);
   QCOMPARE(metres_per(LengthUnit::metre), 1.0);
+}
+
+void CoreTest::CodesGoBothWays() {
+  constexpr Codes<int, 2> kCodes = {{{"one", 1}, {"two", 2}}};
+  QCOMPARE(value_in(kCodes, "two"), std::optional<int>(2));
+  QVERIFY(!value_in(kCodes, "three"));
+  QCOMPARE(std::string(code_in(kCodes, 1)), std::string("one"));
+  QVERIFY_EXCEPTION_THROWN(code_in(kCodes, 3), PreconditionError);
   for (const LengthUnit unit : kLengthUnits) QVERIFY(unit_named(unit_code(unit)) == unit);
   QVERIFY(!unit_named("km"));
 }

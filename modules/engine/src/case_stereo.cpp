@@ -20,20 +20,6 @@ constexpr LengthUnit kUnit = LengthUnit::millimetre;
 constexpr double kMm2 = 1e-6;  ///< square millimetre in square metres
 constexpr const char* kAgain = "Reconstruct the surface again";
 
-constexpr std::array kMethods = {std::pair{"sparse", stereo::Method::sparse},
-                                 std::pair{"dense", stereo::Method::dense},
-                                 std::pair{"automatic", stereo::Method::automatic}};
-constexpr std::array kFeatures = {std::pair{"surf", stereo::Features::surf},
-                                  std::pair{"sift", stereo::Features::sift},
-                                  std::pair{"akaze", stereo::Features::akaze}};
-
-template <class Codes, class Value>
-const char* code_of(const Codes& codes, Value value) {
-  for (const auto& [code, known] : codes)
-    if (known == value) return code;
-  throw PreconditionError("every method and feature has a code");
-}
-
 /// Entries of points.json, refused by name.
 class PointsFile {
  public:
@@ -77,8 +63,7 @@ class PointsFile {
   template <class Codes>
   auto coded(const std::string& group, const char* field, const Codes& codes) const {
     const auto given = get<std::string>(group, field);
-    for (const auto& [code, value] : codes)
-      if (given == code) return value;
+    if (const auto value = value_in(codes, given)) return *value;
     refuse(name(group, field), "is \"" + given + "\", which is unknown");
   }
 
@@ -92,8 +77,8 @@ class PointsFile {
 };
 
 json written(const stereo::ReconstructOptions& o) {
-  return {{"method", code_of(kMethods, o.method)},
-          {"kind", code_of(kFeatures, o.kind)},
+  return {{"method", code_in(stereo::kMethodCodes, o.method)},
+          {"kind", code_in(stereo::kFeatureCodes, o.kind)},
           {"features", o.features},
           {"ratio", o.ratio},
           {"epipolar_px", o.epipolar_px},
@@ -110,8 +95,8 @@ json written(const stereo::ReconstructOptions& o) {
 stereo::ReconstructOptions read_options(const PointsFile& file) {
   const std::string group = "options";
   stereo::ReconstructOptions o;
-  o.method = file.coded(group, "method", kMethods);
-  o.kind = file.coded(group, "kind", kFeatures);
+  o.method = file.coded(group, "method", stereo::kMethodCodes);
+  o.kind = file.coded(group, "kind", stereo::kFeatureCodes);
   o.features = file.get<int>(group, "features");
   o.ratio = file.number(group, "ratio");
   o.epipolar_px = file.number(group, "epipolar_px");
@@ -132,7 +117,7 @@ stereo::ReconstructOptions read_options(const PointsFile& file) {
 }
 
 json written(const stereo::ReconstructReport& r) {
-  return {{"method", code_of(kMethods, r.method)},
+  return {{"method", code_in(stereo::kMethodCodes, r.method)},
           {"features_left", r.features_left},
           {"features_right", r.features_right},
           {"matches", r.matches},
@@ -148,7 +133,7 @@ json written(const stereo::ReconstructReport& r) {
 stereo::ReconstructReport read_report(const PointsFile& file) {
   const std::string group = "report";
   stereo::ReconstructReport r;
-  r.method = file.coded(group, "method", kMethods);
+  r.method = file.coded(group, "method", stereo::kMethodCodes);
   r.features_left = file.get<int>(group, "features_left");
   r.features_right = file.get<int>(group, "features_right");
   r.matches = file.get<int>(group, "matches");

@@ -372,9 +372,7 @@ Cancellable<Scan> read_scan(const fs::path& path, const RunContext& context, con
   const Delivered delivered = delivered_in(work.path());
   Image image;
   image.grid = delivered.grid;
-  image.modality = delivered.modality == "ct"   ? Modality::ct
-                   : delivered.modality == "mr" ? Modality::mr
-                                                : Modality::other;
+  image.modality = modality_named(delivered.modality).value_or(Modality::other);
   image.description = delivered.description;
   image.voxels = std::make_shared<const std::vector<std::int16_t>>(
       read_raw<std::int16_t>(delivered.voxels, static_cast<std::size_t>(image.grid.voxel_count())));

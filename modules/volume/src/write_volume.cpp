@@ -189,9 +189,7 @@ void write_image(const std::filesystem::path& path, const Image& image) {
   require(!image.empty() && static_cast<long>(image.voxels->size()) == image.grid.voxel_count(),
           "an image that is written has one value a voxel");
   Payload payload{image.grid, Number::int16, image.voxels->data(), {}};
-  payload.keys.emplace_back("modality", image.modality == Modality::ct   ? "ct"
-                                        : image.modality == Modality::mr ? "mr"
-                                                                         : "other");
+  payload.keys.emplace_back("modality", modality_code(image.modality));
   if (!image.description.empty()) payload.keys.emplace_back("description", image.description);
   write_payload(path, payload);
 }

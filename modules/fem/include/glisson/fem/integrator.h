@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "glisson/core/codes.h"
 #include "glisson/core/run_context.h"
 #include "glisson/core/termination.h"
 #include "glisson/fem/composite_model.h"
@@ -15,6 +16,9 @@ namespace glisson::fem {
 /// every step. `fast`: conjugate gradients with a two-level preconditioner up to a tolerance, afresh every
 /// step too (nothing lags). It is faster than `direct` from some 3,000 tetrahedra on.
 enum class LinearSolver { reference, direct, fast };
+/// For the command line.
+inline constexpr Codes<LinearSolver, 3> kSolverCodes = {
+    {{"direct", LinearSolver::direct}, {"fast", LinearSolver::fast}, {"reference", LinearSolver::reference}}};
 
 /// How time goes on in an Integrator.
 struct IntegratorOptions {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "glisson/core/codes.h"
 #include "glisson/core/run_context.h"
 #include "glisson/fem/tissue.h"
 #include "glisson/geometry/distance.h"
@@ -25,6 +26,11 @@ enum class Method {
   springs,  ///< register_elastic, with operations before it where they are asked for
   paper     ///< the paper's: springs, and elasticity alone (no operations)
 };
+/// For the command line.
+inline constexpr Codes<Method, 4> kMethodCodes = {{{"automatic", Method::automatic},
+                                                   {"forces", Method::forces},
+                                                   {"springs", Method::springs},
+                                                   {"paper", Method::paper}}};
 
 /// @return whether the shape is found by contact forces where no operations are known.
 bool takes_forces(Method method, const PatientModel& model, const ElasticOptions& elastic);

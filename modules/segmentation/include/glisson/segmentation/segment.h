@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "glisson/core/codes.h"
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/patient/label_map.h"
@@ -43,6 +44,16 @@ struct Structures {
        lesions = true;  ///< liver: its parenchyma
   bool operator==(const Structures&) const = default;
 };
+/// For the command line.
+inline constexpr Codes<bool Structures::*, 6> kStructureCodes = {
+    {{"liver", &Structures::liver},
+     {"portal_vein", &Structures::portal_vein},
+     {"hepatic_veins", &Structures::hepatic_veins},
+     {"vena_cava", &Structures::vena_cava},
+     {"gallbladder", &Structures::gallbladder},
+     {"lesions", &Structures::lesions}}};
+/// None of them.
+inline constexpr Structures kNoStructures = {false, false, false, false, false, false};
 
 /// Whether a label is.
 bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "glisson/core/codes.h"
 #include "glisson/patient/labelled_cloud.h"
 
 /// @file
@@ -18,6 +19,12 @@ enum class Method {
 };
 /// SURF is the paper's. All go the same way afterwards.
 enum class Features { surf, sift, akaze };
+
+/// For files and the command line.
+inline constexpr Codes<Method, 3> kMethodCodes = {
+    {{"sparse", Method::sparse}, {"dense", Method::dense}, {"automatic", Method::automatic}}};
+inline constexpr Codes<Features, 3> kFeatureCodes = {
+    {{"surf", Features::surf}, {"sift", Features::sift}, {"akaze", Features::akaze}}};
 
 /// Which points are made of a pair, and which are believed.
 struct ReconstructOptions {

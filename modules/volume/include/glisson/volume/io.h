@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glisson/core/run_context.h"
@@ -21,6 +23,11 @@ namespace glisson {
 ///   can abort run in a child process.
 Cancellable<Image> read_image(const std::filesystem::path& path, const RunContext& context,
                               const std::string& series = {});
+
+/// "ct", "mr", "other".
+const char* modality_code(Modality modality);
+/// The modality of such a code; empty: none has it.
+std::optional<Modality> modality_named(std::string_view code);
 
 /// What a label file says of one of its labels (from .seg.nrrd; elsewhere only the code is known).
 struct LabelInfo {
