@@ -7679,8 +7679,8 @@
         <translation>Das Gleichgewicht statt der Dynamik.</translation>
     </message>
     <message>
-        <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for 10,000 tetrahedra and more) or reference (CHOLMOD).</source>
-        <translation>Linearer Löser: direct (in jedem Schritt neu zerlegt), fast (zweistufige konjugierte Gradienten, ab 10 000 Tetraedern) oder reference (CHOLMOD).</translation>
+        <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for %1 tetrahedra and more) or reference (CHOLMOD).</source>
+        <translation>Linearer Löser: direct (in jedem Schritt neu zerlegt), fast (zweistufige konjugierte Gradienten, ab %1 Tetraedern) oder reference (CHOLMOD).</translation>
     </message>
     <message>
         <source>Relative residual of the fast solver.</source>

@@ -7679,8 +7679,8 @@
         <translation>L&apos;équilibre au lieu de la dynamique.</translation>
     </message>
     <message>
-        <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for 10,000 tetrahedra and more) or reference (CHOLMOD).</source>
-        <translation>Solveur linéaire&#xa0;: direct (factorisé à chaque pas), fast (gradient conjugué à deux niveaux, à partir de 10 000 tétraèdres) ou reference (CHOLMOD).</translation>
+        <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for %1 tetrahedra and more) or reference (CHOLMOD).</source>
+        <translation>Solveur linéaire&#xa0;: direct (factorisé à chaque pas), fast (gradient conjugué à deux niveaux, à partir de %1 tétraèdres) ou reference (CHOLMOD).</translation>
     </message>
     <message>
         <source>Relative residual of the fast solver.</source>

@@ -4,8 +4,6 @@
 #include "model_argument.h"
 
 #include "glisson/engine/commands/simulate.h"
-#include "glisson/engine/parts/model.h"
-#include "glisson/engine/parts/tissue.h"
 
 namespace glisson::app {
 namespace {
@@ -31,8 +29,9 @@ int run_simulate(const QStringList& given) {
   arguments.flag("static", Cli::tr("The equilibrium instead of the dynamics."));
   arguments.option("solver",
                    Cli::tr("Linear solver: direct (a fresh factor every step), fast (two-level "
-                           "conjugate gradients, for 10,000 tetrahedra and more) or reference "
-                           "(CHOLMOD)."),
+                           "conjugate gradients, for %1 tetrahedra and more) or reference "
+                           "(CHOLMOD).")
+                       .arg(fem::kFastFrom),
                    "NAME", "direct");
   arguments.option("tolerance", Cli::tr("Relative residual of the fast solver."), "R",
                    command.options.solver_tolerance);
@@ -49,15 +48,12 @@ int run_simulate(const QStringList& given) {
   command.options.solver = linear_solver(arguments.value("solver").toStdString());
   command.options.solver_tolerance = arguments.number("tolerance", 1e-12, 0.1);
   command.every = arguments.integer("every", 1, 10000000);
-  command.materials = materials(arguments);
-  if (arguments.has("neo-hookean")) command.materials.law = fem::TetrahedronLaw::neo_hookean;
+  command.materials = given_materials(arguments);
+  if (arguments.has("neo-hookean")) command.law = fem::TetrahedronLaw::neo_hookean;
   command.folder = out.path();
   Session session(arguments);
   command.unit = load_model(arguments, session).unit;
   say_stiffness(arguments, session);
-  command.materials =
-      fem::with_tissue(command.materials, engine::tissue_of(session.state(), !given_materials(arguments)),
-                       session.state()[part::model]->model.mesh);
   const bool whole = until_interrupted([&] { session.post(command); });
   int meshes = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(out.path())) ++meshes;

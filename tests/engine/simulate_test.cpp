@@ -8,6 +8,7 @@
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/set_tissue.h"
 #include "glisson/engine/commands/simulate.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/geometry/mesh_io.h"
@@ -20,25 +21,42 @@ class SimulateTest : public QObject {
   Q_OBJECT
  private slots:
   void WrittenStepsHoldDisplacementAndVonMisesStress();
+  void TheTissueIsThatOfTheCase();
 };
 
-void SimulateTest::WrittenStepsHoldDisplacementAndVonMisesStress() {
-  const TemporaryFolder folder;
+namespace {
+
+/// An engine whose case is the trials' patient. Only what is simulated and said of its tissue is done.
+Engine::Options patients_options() {
   Engine::Options made = options(Runner::inline_);
   made.apply = [](const CaseState& state, const Command& command, const RunContext& context,
                   const Services& services) {
-    return (command.as<Simulate>() != nullptr) ? engine::apply(state, command, context, services)
-                                               : give_patient(state, command, context, services);
+    return command.as<Simulate>() != nullptr || command.as<SetTissue>() != nullptr
+               ? engine::apply(state, command, context, services)
+               : give_patient(state, command, context, services);
   };
-  Engine engine(std::move(made));
-  engine.wait(engine.post(ImportMesh{}));
-  const auto before = engine.snapshot();
+  return made;
+}
+
+/// Held on the left, gravity turned.
+Simulate turned(const CaseState& state, const std::filesystem::path& folder) {
   Simulate command;
   command.load.gravity_change = {0.0, 9.81, 0.0};
-  command.load.fixed_nodes = fem_test::nodes_at(before->state[part::model]->model.mesh, 0, 0.0);
+  command.load.fixed_nodes = fem_test::nodes_at(state[part::model]->model.mesh, 0, 0.0);
+  command.folder = folder;
+  return command;
+}
+
+}  // namespace
+
+void SimulateTest::WrittenStepsHoldDisplacementAndVonMisesStress() {
+  const TemporaryFolder folder;
+  Engine engine(patients_options());
+  engine.wait(engine.post(ImportMesh{}));
+  const auto before = engine.snapshot();
+  Simulate command = turned(before->state, folder.path());
   command.options.steps = 5;
   command.every = 2;
-  command.folder = folder.path();
   const Outcome outcome = engine.wait(engine.post(command));
   QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
   std::set<std::string> files;
@@ -69,6 +87,31 @@ void SimulateTest::WrittenStepsHoldDisplacementAndVonMisesStress() {
   while (std::getline(table, line)) ++lines;
   QCOMPARE(lines, 6);  // a header and a line a step
   QCOMPARE(engine.snapshot()->revision, before->revision);
+}
+
+void SimulateTest::TheTissueIsThatOfTheCase() {
+  const TemporaryFolder folder;
+  Engine engine(patients_options());
+  engine.wait(engine.post(ImportMesh{}));
+  Simulate command = turned(engine.snapshot()->state, folder.path());
+  command.options.static_solve = true;
+  const auto moved_mm = [&](const std::optional<fem::CompositeOptions>& materials) {
+    command.materials = materials;
+    const Outcome outcome = engine.wait(engine.post(command));
+    return outcome.status == Status::done ? outcome.figures.at("displacement_mean_mm") : -1.0;
+  };
+  fem::CompositeOptions stiff;
+  stiff.parenchyma.young_modulus = 350e3;
+  const double healthy = moved_mm({}), stiffened = moved_mm(stiff);
+  QVERIFY(stiffened > 0.0 && stiffened < 0.5 * healthy);
+  QCOMPARE(engine.wait(engine.post(SetTissue{fem::tissue_from("parenchyma=350")})).status, Status::done);
+  QCOMPARE(moved_mm({}), stiffened);
+  // What the command brings of its own holds over that.
+  QCOMPARE(moved_mm(fem::CompositeOptions()), healthy);
+  // A law of its own does not.
+  command.law = fem::TetrahedronLaw::neo_hookean;
+  const double other_law = moved_mm({});
+  QVERIFY(other_law > 0.0 && std::abs(other_law - stiffened) < 0.2 * stiffened);
 }
 
 QTEST_APPLESS_MAIN(SimulateTest)

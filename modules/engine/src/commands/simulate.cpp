@@ -7,6 +7,7 @@
 
 #include "glisson/core/statistics.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/geometry/mesh_io.h"
 
 namespace glisson::engine {
@@ -64,15 +65,22 @@ void add_figures(Figures& figures, const fem::CompositeModel& model, const fem::
   figures["step_p50_ms"] = upper_median(std::move(milliseconds));
 }
 
+fem::CompositeOptions materials_of(const Simulate& command, const CaseState& state) {
+  fem::CompositeOptions materials = command.materials.value_or(fem::CompositeOptions());
+  if (command.law) materials.law = *command.law;
+  return fem::with_tissue(materials, tissue_of(state, !command.materials), state[part::model]->model.mesh);
+}
+
 }  // namespace
 
 CommandTraits Simulate::traits() const {
-  return {.code = "simulate", .reads = {part::model}, .needs = {part::model}};
+  return {.code = "simulate", .reads = {part::model, part::tissue}, .needs = {part::model}};
 }
 
 Cancellable<Applied> Simulate::apply(const CaseState& state, const RunContext& context) const {
   const PatientModel& patient = state[part::model]->model;
-  const auto model = std::make_shared<const fem::CompositeModel>(patient.mesh, patient.vessels, materials);
+  const auto model =
+      std::make_shared<const fem::CompositeModel>(patient.mesh, patient.vessels, materials_of(*this, state));
   Applied applied{state};
   const auto result = simulated(*this, model, context, applied.figures);
   if (!result || result->records.empty()) return {};

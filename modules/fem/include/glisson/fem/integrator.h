@@ -14,8 +14,10 @@ namespace glisson::fem {
 
 /// How a step's linear system is solved. `reference`: CHOLMOD. `direct`: a factorisation of our own, afresh
 /// every step. `fast`: conjugate gradients with a two-level preconditioner up to a tolerance, afresh every
-/// step too (nothing lags). It is faster than `direct` from some 3,000 tetrahedra on.
+/// step too (nothing lags), faster than `direct` from kFastFrom tetrahedra on.
 enum class LinearSolver { reference, direct, fast };
+/// Tetrahedra, about (packaging/figures/benchmarks.md).
+inline constexpr int kFastFrom = 3000;
 /// For the command line.
 inline constexpr Codes<LinearSolver, 3> kSolverCodes = {
     {{"direct", LinearSolver::direct}, {"fast", LinearSolver::fast}, {"reference", LinearSolver::reference}}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "glisson/core/units.h"
 #include "glisson/engine/command.h"
@@ -16,7 +17,9 @@ namespace glisson::engine {
 struct Simulate {
   fem::LoadCase load;
   fem::SimulationOptions options;
-  fem::CompositeOptions materials;
+  /// Empty: the healthy liver, its parenchyma as stiff as the case says. Lesions are as the case says.
+  std::optional<fem::CompositeOptions> materials = {};
+  std::optional<fem::TetrahedronLaw> law = {};  ///< over that of the materials
   std::filesystem::path folder;
   LengthUnit unit = LengthUnit::millimetre;  ///< of the meshes
   int every = 1;                             ///< write every so many steps, and the last
