@@ -6948,6 +6948,10 @@
         <translation>Labels lesen</translation>
     </message>
     <message>
+        <source>Storing what the volume is</source>
+        <translation>Angabe zum Volumen übernehmen</translation>
+    </message>
+    <message>
         <source>Storing the seeds</source>
         <translation>Saatpunkte übernehmen</translation>
     </message>

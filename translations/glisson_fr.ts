@@ -6948,6 +6948,10 @@
         <translation>Lecture des étiquettes</translation>
     </message>
     <message>
+        <source>Storing what the volume is</source>
+        <translation>Enregistrement de la nature du volume</translation>
+    </message>
+    <message>
         <source>Storing the seeds</source>
         <translation>Enregistrement des germes</translation>
     </message>

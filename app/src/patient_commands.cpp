@@ -14,12 +14,11 @@
 #include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/segment_by_network.h"
+#include "glisson/engine/commands/set_modality.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/hand_edits.h"
-#include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
-#include "glisson/engine/parts/source.h"
 #include "glisson/ui/common/series_texts.h"
 #include "glisson/volume/io.h"
 
@@ -133,19 +132,6 @@ void refuse_beside(const char* option, const Arguments& arguments,
   throw engine::hand_work_error(session.state()[part::offer]->edited);
 }
 
-/// What the case's image is, where its file did not say.
-void tell_modality(Session& session, const std::optional<Modality>& modality) {
-  const auto& image = session.state()[part::image];
-  if (!modality || !image || image->modality == *modality) return;
-  const auto& source = session.state()[part::source];
-  session.post(
-      engine::ImportImage{"--modality",
-                          {},
-                          false,
-                          modality,
-                          std::make_shared<const Scan>(Scan{*image, source ? *source : DicomSource()})});
-}
-
 void segment_by_seeds(Session& session, const engine::Segment& command, const fs::path& seeds,
                       bool proposes) {
   session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
@@ -249,7 +235,10 @@ int run_segment(const QStringList& given) {
   Session session(arguments);
   open_case(arguments, session);
   if (!seeds.empty()) session.call("seeds", seeds.string());
-  tell_modality(session, modality);
+  if (modality) {
+    session.call("modality", "--modality");
+    session.post(engine::SetModality{*modality});
+  }
   if (by_network)
     session.post(
         engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});

@@ -4,6 +4,7 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/read_image.h"
+#include "glisson/engine/commands/set_modality.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/script.h"
 #include "glisson/volume/io.h"
@@ -16,6 +17,7 @@ class ImportModalityTest : public QObject {
  private slots:
   void WhatAFileDoesNotSayAPersonMay();
   void WhatWasReadIsNotReadAgain();
+  void AnImageOfTheCaseIsToldLater();
 };
 
 void ImportModalityTest::WhatAFileDoesNotSayAPersonMay() {
@@ -51,6 +53,26 @@ void ImportModalityTest::WhatWasReadIsNotReadAgain() {
   script.run(ImportImage{path, {}, true, Modality::mr, read.result.as<ReadImage::Result>()});
   QCOMPARE(*script.state()[part::image]->voxels, *image.voxels);
   QCOMPARE(script.state()[part::image]->modality, Modality::mr);
+}
+
+void ImportModalityTest::AnImageOfTheCaseIsToldLater() {
+  const auto scan = std::make_shared<Scan>();
+  scan->image.grid.size = {12, 12, 12};
+  scan->image.voxels =
+      std::make_shared<const std::vector<std::int16_t>>(std::vector<std::int16_t>(12 * 12 * 12, 70));
+  scan->image.modality = Modality::other;
+  Script script{RunContext()};
+  script.run(ImportImage{"a.mha", {}, false, {}, scan});
+  const auto as_read = script.state()[part::image];
+  script.run(SetModality{Modality::other});
+  QCOMPARE(script.state()[part::image], as_read);  // nothing follows from it anew
+  script.run(SetModality{Modality::mr});
+  QCOMPARE(script.state()[part::image]->modality, Modality::mr);
+  QCOMPARE(script.state()[part::image]->voxels, scan->image.voxels);
+  scan->source.series_uid = "1.2.3";
+  script.run(ImportImage{"a", {}, false, {}, scan});
+  script.run(SetModality{Modality::other});
+  QVERIFY_EXCEPTION_THROWN(script.run(SetModality{Modality::ct}), Error);
 }
 
 QTEST_APPLESS_MAIN(ImportModalityTest)

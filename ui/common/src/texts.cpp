@@ -25,6 +25,7 @@ class Texts {
             {"redo_labels", tr("Redoing")},
             {"set_review", tr("Storing the review")},
             {"list_series", tr("Looking for series")},
+            {"set_modality", tr("Storing what the volume is")},
             {"set_seeds", tr("Storing the seeds")},
             {"segment", tr("Segmenting")},
             {"segment_by_network", tr("Segmenting by your network")},

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/volume/plausibility.h"
+#include "told_modality.h"
 
 namespace glisson::engine {
 namespace {
@@ -19,14 +19,6 @@ std::string note_of(const std::vector<std::string>& missing) {
   std::string note = "volume.files_missing " + std::to_string(missing.size()) + ": ";
   for (std::size_t n = 0; n < std::min(missing.size(), kNamed); ++n) note += (n > 0 ? ", " : "") + missing[n];
   return missing.size() > kNamed ? note + ", ..." : note;
-}
-
-/// @throws InputError the files tell another one.
-void choose_modality(Scan& scan, Modality chosen, const std::filesystem::path& path) {
-  if (chosen != scan.image.modality && !scan.source.empty())
-    throw InputError(path.string(), "modality", "is told by its DICOM files, and is another one",
-                     "Leave the choice out");
-  scan.image.modality = chosen;
 }
 
 Figures figures_of(const VolumeGrid& grid) {
@@ -50,7 +42,10 @@ CommandTraits ImportImage::traits() const {
 Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext& context) const {
   Cancellable<Scan> found = scan ? *scan : read_scan(path, context, series);
   if (!found) return {};
-  if (modality) choose_modality(*found, *modality, path);
+  if (modality) {
+    require_modality_untold(found->image, !found->source.empty(), *modality, path.string());
+    found->image.modality = *modality;
+  }
   Applied applied{new_case ? CaseState() : state, figures_of(found->image.grid), image_doubts(found->image)};
   if (!found->missing.empty()) applied.notes.push_back(note_of(found->missing));
   applied.state[part::image] = std::make_shared<const Image>(std::move(found->image));
