@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_overlay.h"
 
+#include "glisson/core/output_file.h"
 #include "glisson/core/stopwatch.h"
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/obstacle.h"
@@ -45,9 +46,11 @@ std::optional<guidance::SurfacePlace> OverlayDrawer::place_at(const Eigen::Vecto
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
                                  double frames_per_second, const scene::OverlayStyle& style,
                                  const scene::OverlayInterest& interest, bool is_paced)
-    : drawer_(state, style),
+    : path_(path),
+      unfinished_(path.parent_path() / (path.stem().string() + ".incomplete" + path.extension().string())),
+      drawer_(state, style),
       interest_(interest),
-      writer_(path, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {
+      writer_(unfinished_, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {
   if (is_paced) pace_.emplace(frames_per_second);
 }
 
@@ -59,7 +62,10 @@ double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overla
   return milliseconds;
 }
 
-void OverlayRecorder::close() { writer_.close(); }
+void OverlayRecorder::finish(bool whole) {
+  writer_.close();
+  if (whole) std::filesystem::rename(unfinished_, place_for_file(path_));
+}
 
 void OverlayRecorder::keep() { writer_.keep(); }
 

@@ -41,7 +41,8 @@ class OverlayDrawer {
   engine::LandmarkReview landmarks_;
 };
 
-/// Records drawn frames as a video of the left camera. Without close() or keep() nothing remains.
+/// Records drawn frames as a video of the left camera, under another name ("a.incomplete.mkv") until it is
+/// whole. Without finish() or keep() nothing remains.
 class OverlayRecorder {
  public:
   /// @param is_paced each frame stands for its own moment, and where one is missing the one before stays;
@@ -52,12 +53,14 @@ class OverlayRecorder {
                   bool is_paced = false);
   /// @return milliseconds that drawing took.
   double add(const StereoFrame& frame, const OverlayFrame& overlay);
-  /// @throws FileError
-  void close();
+  /// @param whole false: what was cut short stays under the other name. @throws FileError
+  void finish(bool whole);
   /// What an error has cut short stays as far as it plays.
   void keep();
+  const std::filesystem::path& unfinished() const { return unfinished_; }
 
  private:
+  std::filesystem::path path_, unfinished_;
   OverlayDrawer drawer_;
   scene::OverlayInterest interest_;
   stereo::PacedWriter writer_;

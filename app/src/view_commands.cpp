@@ -5,7 +5,6 @@
 
 #include "cli.h"
 #include "commands.h"
-#include "glisson/core/output_file.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/model.h"
@@ -231,11 +230,7 @@ int run_overlay(const QStringList& given) {
   if (!arguments.has("recording")) session.need({part::video});
   const double rate = stereo::StereoVideo(replayed.video.left, replayed.video.right).frames_per_second();
   const std::optional<TrackReplay>& replay = replayed.track;
-  // Under another name until it is whole: a recording that is cut short is kept there.
-  const std::filesystem::path unfinished =
-      out.parent_path() / (out.stem().string() + ".incomplete" + out.extension().string());
-  OverlayRecorder recorder(session.state(), unfinished, rate, style, interest,
-                           replay && replay->is_recording());
+  OverlayRecorder recorder(session.state(), out, rate, style, interest, replay && replay->is_recording());
   const int first = replay                         ? replayed.first
                     : session.state()[part::frame] ? session.state()[part::frame]->frame.index
                                                    : 0;
@@ -258,14 +253,13 @@ int run_overlay(const QStringList& given) {
   if (times.frames() == 0)
     throw InputError(arguments.path("case").string(), "video", "has no frame to be drawn",
                      "Give a track of this video, or register a frame that is not its last");
-  recorder.close();
-  if (whole) std::filesystem::rename(unfinished, place_for_file(out));
+  recorder.finish(whole);
   // What was cut short is not whole when it is drawn again.
   session.figures["complete"] = whole && (!replay || replay->is_complete()) ? 1.0 : 0.0;
   session.figures.merge(times.counts());
   session.figures["draw_mean_ms"] = drawing / std::max(1, times.frames());
   session.finish();
-  if (!whole) throw Interrupted(kept_text(times.frames(), unfinished));
+  if (!whole) throw Interrupted(kept_text(times.frames(), recorder.unfinished()));
   return 0;
 }
 
