@@ -95,15 +95,12 @@ ui::Plot plot_of(const experiments::TransferStudy& study) {
 }
 
 Drawn transfer(const Arguments& arguments, Session& session) {
-  experiments::TransferStudyOptions options;
-  options.data = arguments.path("data");
+  using experiments::TransferStudyOptions;
+  const bool quick = arguments.has("quick");
+  TransferStudyOptions options = quick ? TransferStudyOptions::quick() : TransferStudyOptions();
+  if (!quick) options.data = arguments.path("data");
   options.base = ui::built_in_atlas();
   options.seed = arguments.seed();
-  if (arguments.has("quick")) {
-    options.data.clear();
-    options.livers = 5;
-    options.outside = 1;
-  }
   const auto study = experiments::study_transfer(options, session.context());
   if (!study) throw Interrupted();
   Drawn drawn{experiments::figure_of(*study), {plot_of(*study)}};
@@ -127,16 +124,12 @@ PatientModel patient_of(const Arguments& arguments, Session& session) {
 }
 
 Drawn sensitivity(const Arguments& arguments, Session& session) {
-  experiments::SensitivityOptions options;
+  using experiments::SensitivityOptions;
+  SensitivityOptions options = arguments.has("quick") ? SensitivityOptions::quick() : SensitivityOptions();
   const QString flank = arguments.value("flank");
   if (flank != "left" && flank != "right")
     throw UsageError(Cli::tr("--flank: is %1. Give left or right.").arg(flank).toStdString());
-  if (flank == "right") options.flank = experiments::SensitivityOptions::Flank::right;
-  if (arguments.has("quick")) {
-    options.shifts = {0.0, 3e-3, 15e-3};
-    options.directions = 2;
-    options.factors = {0.5, 1.0};
-  }
+  if (flank == "right") options.flank = SensitivityOptions::Flank::right;
   const PatientModel model = patient_of(arguments, session);
   Cancellable<experiments::Sensitivity> found;
   session.with_names(

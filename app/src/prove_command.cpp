@@ -96,17 +96,14 @@ void prove_live(const Arguments& arguments, Session& session, const fs::path& fo
 
 void prove_registration(const Arguments& arguments, Session& session, const fs::path& folder,
                         experiments::ProofPage& page) {
-  experiments::RegistrationProofOptions options;
+  using experiments::RegistrationProofOptions;
+  RegistrationProofOptions options =
+      arguments.has("quick") ? RegistrationProofOptions::quick() : RegistrationProofOptions();
   options.seed = arguments.seed();
   options.data = arguments.path("data");
   options.validation = !arguments.has("development-only");
   options.resume = arguments.has("resume");
   options.looks_alone = arguments.has("looks");
-  if (arguments.has("quick")) {
-    options.patients = 2;
-    options.shares = {0.3};
-    options.rivals = false;
-  }
   const auto proof = experiments::prove_registration(options, folder, session.context());
   tell(proof, session, page);
 }
@@ -125,10 +122,10 @@ void prove_atlas(const Arguments& arguments, Session& session, const fs::path&,
 
 void prove_pulled(const Arguments& arguments, Session& session, const fs::path& folder,
                   experiments::ProofPage& page) {
-  experiments::PulledProofOptions options;
+  using experiments::PulledProofOptions;
+  PulledProofOptions options = arguments.has("quick") ? PulledProofOptions::quick() : PulledProofOptions();
   options.seed = arguments.seed();
   options.data = arguments.path("data");
-  if (arguments.has("quick")) options.organs = 2;
   const auto proof = experiments::prove_pulled(options, folder, session.context());
   tell(proof, session, page);
 }

@@ -145,6 +145,12 @@ void sum_up(const std::vector<PulledTrial>& trials, PulledProof& proof) {
 
 }  // namespace
 
+PulledProofOptions PulledProofOptions::quick() {
+  PulledProofOptions options;
+  options.organs = 2;
+  return options;
+}
+
 void PulledProofOptions::validate() const {
   const OptionCheck demand("pulled proof options");
   demand(organs > 0, "organs", organs, "Give one at least");

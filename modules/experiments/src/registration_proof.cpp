@@ -87,6 +87,14 @@ std::size_t another(const std::vector<RegistrationStage>& stages, std::size_t i)
 
 }  // namespace
 
+RegistrationProofOptions RegistrationProofOptions::quick() {
+  RegistrationProofOptions options;
+  options.patients = 2;
+  options.shares = {0.3};
+  options.rivals = false;
+  return options;
+}
+
 void RegistrationProofOptions::validate() const {
   const OptionCheck demand("registration proof options");
   demand(!shares.empty(), "shares", 0.0, "Give one at least");

@@ -194,6 +194,14 @@ const char* support_code(Support support) {
   return kCodes[static_cast<std::size_t>(support)];
 }
 
+SensitivityOptions SensitivityOptions::quick() {
+  SensitivityOptions options;
+  options.shifts = {0.0, 3e-3, 15e-3};
+  options.directions = 2;
+  options.factors = {0.5, 1.0};
+  return options;
+}
+
 void SensitivityOptions::validate() const {
   const OptionCheck demand("sensitivity options");
   demand(directions >= 1 && directions <= 64, "directions", directions, "Give 1 to 64");

@@ -103,6 +103,13 @@ class Study {
 
 }  // namespace
 
+TransferStudyOptions TransferStudyOptions::quick() {
+  TransferStudyOptions options;
+  options.livers = 5;
+  options.outside = 1;
+  return options;
+}
+
 void TransferStudyOptions::validate() const {
   if (!base) throw InputError("transfer study", "base", "is not there", "Give the built-in atlas");
   const OptionCheck demand("transfer study");

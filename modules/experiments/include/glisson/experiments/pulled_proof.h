@@ -22,6 +22,8 @@ struct PulledProofOptions {
   int organs = 4;  ///< of each kind, each with and without noise
   int frames = 6;  ///< that each is followed over, the registered one included
   int threads = 2;
+  /// Few organs: to see whether it runs.
+  static PulledProofOptions quick();
   /// @throws InputError naming the option.
   void validate() const;
 };

@@ -29,6 +29,8 @@ struct RegistrationProofOptions {
   /// Registrations that the folder's registration_SEED.csv holds already, of a run that was cut short, are
   /// taken from there.
   bool resume = false;
+  /// Few trials: to see whether it runs.
+  static RegistrationProofOptions quick();
   /// @throws InputError naming the option.
   void validate() const;
 };

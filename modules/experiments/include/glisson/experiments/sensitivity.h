@@ -32,6 +32,8 @@ struct SensitivityOptions {
   std::vector<double> shifts = {0.0, 1e-3, 2e-3, 3e-3, 5e-3, 7.5e-3, 10e-3, 12.5e-3, 15e-3, 17.5e-3};
   int directions = 6;                                        ///< evenly around, in the surface
   std::vector<double> factors = {0.1, 0.5, 1.0, 2.0, 10.0};  ///< of the stiffness
+  /// Few trials: to see whether it runs.
+  static SensitivityOptions quick();
   /// @throws InputError naming the option.
   void validate() const;
 };

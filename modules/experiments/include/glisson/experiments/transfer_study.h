@@ -22,6 +22,8 @@ struct TransferStudyOptions {
   int livers = 10;                           ///< synthetic ones in the atlas; five at least
   int outside = 2;                           ///< synthetic ones that are not
   std::uint64_t seed = 1;                    ///< which
+  /// Few livers, none of them real: to see whether it runs.
+  static TransferStudyOptions quick();
   /// @throws InputError naming the option.
   void validate() const;
 };
