@@ -27,6 +27,15 @@ std::vector<fs::path> cases_in(const fs::path& path) {
   return found;
 }
 
+std::vector<fs::path> all_cases(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> all;
+  for (const fs::path& path : paths) {
+    const std::vector<fs::path> found = cases_in(path);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
 /// "a" of "cases/a.glisson/".
 std::string name_of(const fs::path& path) {
   const fs::path place = fs::absolute(path).lexically_normal();
@@ -41,6 +50,25 @@ bool is_approved(const CaseState& state) {
     for (const Label label : labels)
       if (std::find(kRead.begin(), kRead.end(), label) != kRead.end()) return false;
   return true;
+}
+
+/// Those that are given, and those of the cases; which of these were left out is noted.
+Cancellable<std::vector<atlas::Member>> livers_of(const BuildAtlas& command, const RunContext& context,
+                                                  std::vector<std::string>& notes) {
+  std::vector<atlas::Member> livers = command.members;
+  const std::vector<fs::path> all = all_cases(command.cases);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name = name_of(all[i]);
+    std::vector<std::string> lost;  // cloud and operations, of which the atlas reads nothing
+    const auto opened = open_case(all[i], context.quiet(), &lost);
+    if (!opened) return {};
+    if (command.unapproved || is_approved(*opened))
+      livers.push_back(atlas_member(name, *opened));
+    else
+      notes.push_back("atlas.not_approved " + name);
+    context.progress(0.2 * static_cast<double>(i + 1) / static_cast<double>(all.size()), "atlas.livers");
+  }
+  return livers;
 }
 
 /// Before the work, so that minutes of it are not lost.
@@ -69,24 +97,9 @@ Cancellable<Applied> BuildAtlas::apply(const CaseState& state, const RunContext&
   require(base != nullptr, "an atlas is built on a base");
   check_folder(out);
   Applied applied{state};
-  std::vector<fs::path> all;
-  for (const fs::path& path : cases) {
-    const std::vector<fs::path> found = cases_in(path);
-    all.insert(all.end(), found.begin(), found.end());
-  }
-  std::vector<atlas::Member> livers = members;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string name = name_of(all[i]);
-    std::vector<std::string> lost;  // cloud and operations, of which the atlas reads nothing
-    const auto opened = open_case(all[i], context.quiet(), &lost);
-    if (!opened) return {};
-    if (unapproved || is_approved(*opened))
-      livers.push_back(atlas_member(name, *opened));
-    else
-      applied.notes.push_back("atlas.not_approved " + name);
-    context.progress(0.2 * static_cast<double>(i + 1) / static_cast<double>(all.size()), "atlas.livers");
-  }
-  auto built = atlas::build(std::move(livers), *base, options, context.part(0.2, 1.0));
+  auto livers = livers_of(*this, context, applied.notes);
+  if (!livers) return {};
+  auto built = atlas::build(std::move(*livers), *base, options, context.part(0.2, 1.0));
   if (!built) return {};
   if (!out.empty()) keep(built->atlas, out);
   applied.figures = atlas::figures_of(*built);

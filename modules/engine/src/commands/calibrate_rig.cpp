@@ -20,6 +20,20 @@ std::shared_ptr<const stereo::BoardViews> find_boards(const CalibrateRig& comman
   return views;
 }
 
+std::vector<std::string> notes_of(const stereo::Calibration& calibration) {
+  std::vector<std::string> notes;
+  for (const stereo::ViewReport& view : calibration.views)
+    if (view.outlier)
+      notes.push_back((view.used ? "calibration.proposed " : "calibration.outlier ") + view.name);
+  return notes;
+}
+
+Figures figures_of(const stereo::Calibration& calibration, const stereo::BoardViews& views) {
+  Figures figures = stereo::calibration_figures(calibration);
+  figures["calibration_pairs"] = views.pairs();
+  return figures;
+}
+
 }  // namespace
 
 CommandTraits CalibrateRig::traits() const { return {.code = "calibrate", .writes = {part::rig}}; }
@@ -30,12 +44,7 @@ Cancellable<Applied> CalibrateRig::apply(const CaseState& state, const RunContex
   views->require(kFewestViews);
   auto calibration = stereo::calibrate(*views, options, context.part(found ? 0.0 : kFindShare, 1.0));
   if (!calibration) return {};
-  Applied applied{state};
-  applied.figures = stereo::calibration_figures(*calibration);
-  applied.figures["calibration_pairs"] = views->pairs();
-  for (const stereo::ViewReport& view : calibration->views)
-    if (view.outlier)
-      applied.notes.push_back((view.used ? "calibration.proposed " : "calibration.outlier ") + view.name);
+  Applied applied{state, figures_of(*calibration, *views), notes_of(*calibration)};
   applied.state[part::rig] = std::make_shared<const StereoRig>(calibration->rig);
   CalibrationSheet sheet{views, std::move(*calibration), {}};
   sheet.coverage = stereo::coverage_picture(*views, sheet.calibration);

@@ -2,13 +2,44 @@
 #include "glisson/engine/commands/correct_around.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "label_steps.h"
 
 namespace glisson::engine {
+namespace {
+
+/// What all clicks together have made of the labels.
+struct Corrected {
+  LabelMap labels;
+  long changed = 0;
+  double reach_mm = 0.0;
+  std::vector<std::string> notes;
+};
+
+/// One click after the other.
+Cancellable<Corrected> corrected(const CorrectAround& command, const CaseState& state,
+                                 const RunContext& context) {
+  Corrected all{*state[part::labels], 0, 0.0, {}};
+  const auto count = static_cast<double>(command.clicks.size());
+  for (std::size_t n = 0; n < command.clicks.size(); ++n) {
+    const auto at = static_cast<double>(n);
+    auto one = segmentation::correct_around(*state[part::image], all.labels, command.seeds, command.clicks[n],
+                                            command.locked, context.part(at / count, (at + 1.0) / count));
+    if (!one) return {};
+    all.labels = std::move(one->labels);
+    all.changed += one->voxels_changed;
+    all.reach_mm = std::max(all.reach_mm, one->reach_mm);
+    all.notes.insert(all.notes.end(), one->notes.begin(), one->notes.end());
+  }
+  return all;
+}
+
+}  // namespace
 
 CommandTraits CorrectAround::traits() const {
   return {.code = "correct_around",
@@ -20,29 +51,17 @@ CommandTraits CorrectAround::traits() const {
 
 Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
-  const LabelMap& before = *state[part::labels];
-  LabelMap labels = before;
+  auto made = corrected(*this, state, context);
+  if (!made) return {};
+  const auto changed = static_cast<double>(made->changed);
   Applied applied{state};
-  long changed = 0;
-  double reach_mm = 0.0;
-  const auto count = static_cast<double>(clicks.size());
-  for (std::size_t n = 0; n < clicks.size(); ++n) {
-    const auto at = static_cast<double>(n);
-    auto corrected = segmentation::correct_around(*state[part::image], labels, seeds, clicks[n], locked,
-                                                  context.part(at / count, (at + 1.0) / count));
-    if (!corrected) return {};
-    labels = std::move(corrected->labels);
-    changed += corrected->voxels_changed;
-    reach_mm = std::max(reach_mm, corrected->reach_mm);
-    applied.notes.insert(applied.notes.end(), corrected->notes.begin(), corrected->notes.end());
-  }
-  applied.figures["voxels_changed"] = static_cast<double>(changed);
-  applied.figures["changed_ml"] =
-      1e-3 * static_cast<double>(changed) * labels.voxels.grid().voxel_volume_mm3();
-  applied.figures["reach_mm"] = reach_mm;
+  applied.notes = std::move(made->notes);
+  applied.figures["voxels_changed"] = changed;
+  applied.figures["changed_ml"] = 1e-3 * changed * made->labels.voxels.grid().voxel_volume_mm3();
+  applied.figures["reach_mm"] = made->reach_mm;
   // Where nothing changes the labels stay the same edition: a model made of them is not out of date.
-  if (changed > 0)
-    put_edited_labels(applied.state, before, std::move(labels),
+  if (made->changed > 0)
+    put_edited_labels(applied.state, *state[part::labels], std::move(made->labels),
                       {"correct_around", structure::kParenchyma, 0.0}, 0);
   if (applied.state[part::statistics]) report_labels(applied.state, applied.figures);
   return applied;
