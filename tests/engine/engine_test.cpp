@@ -117,6 +117,7 @@ StereoFrame numbered(int index) {
 class EngineTest : public QObject {
   Q_OBJECT
  private slots:
+  void TimesThatCannotBeAreRefused();
   void ADoneCommandIsInTheSnapshot_data() { both_runners(); }
   void ADoneCommandIsInTheSnapshot();
   void AFailureLeavesTheCaseAsItWas_data() { both_runners(); }
@@ -152,6 +153,15 @@ class EngineTest : public QObject {
   void TheDestructorCancelsAndJoins();
   void ManyThreadsMayPostAndCancel();
 };
+
+void EngineTest::TimesThatCannotBeAreRefused() {
+  Engine::Options made = options(Runner::inline_);
+  made.frame_seconds = 0.0;
+  QVERIFY_EXCEPTION_THROWN(Engine{made}, PreconditionError);
+  made = options(Runner::threaded);
+  made.trial_seconds = -1.0;
+  QVERIFY_EXCEPTION_THROWN(Engine{made}, PreconditionError);
+}
 
 void EngineTest::ADoneCommandIsInTheSnapshot() {
   QFETCH(Runner, runner);

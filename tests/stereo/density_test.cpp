@@ -116,6 +116,9 @@ class DensityTest : public QObject {
     DensityOptions options;
     options.cell = 1;
     QVERIFY_THROWS_EXCEPTION(PreconditionError, density_map(none, camera(), {}, {}, options));
+    options = {};
+    options.least_per_cm2 = 0.0;
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, density_map(none, camera(), {}, {}, options));
     const Picture small{2, 2, 1, std::make_shared<std::vector<std::uint8_t>>(4, 255)};
     QVERIFY_THROWS_EXCEPTION(PreconditionError, density_map(none, camera(), small, {}));
   }

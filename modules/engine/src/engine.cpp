@@ -377,7 +377,13 @@ Cancellable<Applied> apply(const CaseState& state, const Command& command, const
   return command.apply(state, context, services);
 }
 
+void Engine::Options::validate() const {
+  require(frame_seconds > 0.0, "a frame takes some time");
+  require(trial_seconds >= 0.0, "a trial's steps follow each other");
+}
+
 Engine::Engine(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {
+  impl_->options.validate();
   if (impl_->options.runner == Runner::inline_) return;
   impl_->edits_thread = std::jthread([this] { impl_->serve_edits(); });
   impl_->work_thread = std::jthread([this] { impl_->serve_work(); });

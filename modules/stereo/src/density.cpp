@@ -63,10 +63,15 @@ double wanted_share(const cv::Mat& wanted, int column, int row, double radius_ce
 
 }  // namespace
 
+void DensityOptions::validate() const {
+  require(cell >= 2 && cell <= 200, "a cell has 2 to 200 pixels");
+  require(least_per_cm2 > 0.0, "a density that is needed is positive");
+}
+
 DensityMap density_map(const LabelledCloud& cloud, const Camera& left, const Picture& mask,
                        const Regions& regions, const DensityOptions& options) {
   require(cloud.normals.rows() == cloud.points.rows(), "the points of a density map have normals");
-  require(options.cell >= 2 && options.cell <= 200, "a cell has 2 to 200 pixels");
+  options.validate();
   require(mask.empty() || (mask.width == left.width && mask.height == left.height),
           "a mask has the size of the camera's pictures");
   DensityMap map;

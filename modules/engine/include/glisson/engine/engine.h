@@ -89,7 +89,10 @@ class Engine {
     std::function<void(const Progress&)> progress;
     double frame_seconds = 1.0 / 30.0;  ///< a frame that takes longer counts as late
     double trial_seconds = 1.0 / 60.0;  ///< from one step of a load trial to the next, at least
+    /// @throws PreconditionError unless a frame's time is positive and the trial's not negative.
+    void validate() const;
   };
+  /// @throws PreconditionError as Options::validate().
   explicit Engine(Options options);
   /// Cancels what is running, drops what waits, joins its threads.
   ~Engine();

@@ -14,6 +14,8 @@ namespace glisson::stereo {
 struct DensityOptions {
   int cell = 8;                ///< side of a cell, pixels
   double least_per_cm2 = 0.7;  ///< the paper's need
+  /// @throws PreconditionError unless a cell has 2 to 200 pixels and the need is positive.
+  void validate() const;
 };
 
 /// How densely a cloud covers what the left picture shows. Cells row by row.
@@ -34,7 +36,7 @@ struct DensityMap {
 
 /// @param mask empty, or one byte a pixel of the left picture (non-zero is wanted). @param regions those on
 ///   the left picture bound what is wanted; without mask and regions it is the whole picture.
-/// @pre points with normals; cell from 2 to 200; a mask of the camera's size.
+/// @pre points with normals; valid options; a mask of the camera's size.
 DensityMap density_map(const LabelledCloud& cloud, const Camera& left, const Picture& mask,
                        const Regions& regions, const DensityOptions& options = {});
 
