@@ -18,7 +18,8 @@ DistanceSummary summarise(std::vector<double> distances);
 /// Distance of each point to the closest point of the surface, metres.
 std::vector<double> distances_to_surface(const Points& points, const TriangleMesh& surface);
 
-/// Points spread evenly over a surface (area-weighted, stratified by triangle, seeded).
+/// Points spread evenly over a surface: one at random in each of `count` parts of equal area. The same seed
+/// gives the same points. @pre count >= 0; the surface has an area.
 Points sample_surface(const TriangleMesh& surface, int count, unsigned seed);
 
 /// Both directions, from `samples` points on each surface. (The paper's "mean Hausdorff distance" is another
@@ -27,6 +28,7 @@ struct SurfaceDistance {
   DistanceSummary forward;   ///< a to b
   DistanceSummary backward;  ///< b to a
 };
+/// Metres; the same meshes give the same figures. @pre both surfaces have an area.
 SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b, int samples = 20000);
 
 /// Between two sets of points, each point to the closest one of the other set, metres.

@@ -23,8 +23,9 @@ using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// N x 4 vertex indices, positively oriented: det(b - a, c - a, d - a) > 0.
 using Tetrahedra = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
+/// A surface. Nothing here asks whether it is closed or consistently oriented: see topology.h.
 struct TriangleMesh {
-  Points vertices;
+  Points vertices;  ///< metres, in the owner's frame
   Triangles triangles;
 
   int vertex_count() const { return static_cast<int>(vertices.rows()); }
@@ -32,8 +33,9 @@ struct TriangleMesh {
   Eigen::Vector3d vertex(int i) const { return vertices.row(i).transpose(); }
 };
 
+/// A volume of linear tetrahedra. Whether they are inverted is asked by check_tetrahedra() alone.
 struct TetMesh {
-  Points vertices;
+  Points vertices;  ///< metres, in the owner's frame
   Tetrahedra tetrahedra;
   /// One code per tetrahedron (which sub-domain it fills: see LabelMap's structures); empty means all alike.
   std::vector<int> labels;
@@ -57,6 +59,7 @@ double area(const TriangleMesh& mesh);
 double volume(const TriangleMesh& mesh);
 /// Signed, cubic metres, one a tetrahedron.
 Eigen::VectorXd tetrahedron_volumes(const TetMesh& mesh);
+/// Sum of the signed volumes, cubic metres: inverted tetrahedra count against the others.
 double volume(const TetMesh& mesh);
 /// Area-weighted mean of the triangles' centres.
 Eigen::Vector3d centroid(const TriangleMesh& mesh);

@@ -20,11 +20,14 @@ namespace glisson {
 /// One row a point, a cell, or of a matrix (field data: `cloud_from_model`, 4 x 4).
 using NamedArrays = std::map<std::string, Eigen::MatrixXd>;
 
+/// A tetrahedral mesh with what else its file holds. Arrays of a point or a cell have as many rows as there
+/// are vertices or tetrahedra.
 struct TetFile {
   TetMesh mesh;  ///< mesh.labels is the cell array "label" ("labels", or gmsh's physical volume)
   NamedArrays point_data, cell_data, field_data;
 };
 
+/// A surface with what else its file holds; rows as in TetFile.
 struct TriangleFile {
   TriangleMesh mesh;
   NamedArrays point_data, cell_data, field_data;

@@ -15,9 +15,14 @@ struct RigidMotion {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
   RigidMotion after(const RigidMotion& inner) const;  ///< what first moves by `inner`
+  /// With R^T for R^-1: right only if `rotation` is a rotation.
   RigidMotion inverse() const;
+  /// Every row p of an N x 3 array to R p + t, metres.
   Points apply(const Points& points) const;
+  /// Homogeneous 4 x 4 with the translation in metres.
   Eigen::Matrix4d matrix() const;
+  /// The upper three rows as they are. Whether the 3 x 3 part is a rotation is not checked: a matrix with
+  /// scale, shear or reflection gives a motion that is not rigid. The last row is not read.
   static RigidMotion from_matrix(const Eigen::Matrix4d& m);
 };
 
@@ -39,11 +44,12 @@ struct Rigid {
 
   Rigid<Source, Target> inverse() const { return Rigid<Source, Target>::of(motion().inverse()); }
 
-  /// Every row of an N x 3 array of points in Source, into Target.
+  /// @param points N x 3, metres, in Source. @return the same rows in Target.
   Points apply(const Points& points) const { return motion().apply(points); }
 
   /// Homogeneous 4 x 4, metres.
   Eigen::Matrix4d matrix() const { return motion().matrix(); }
+  /// Unchecked, as RigidMotion::from_matrix().
   static Rigid from_matrix(const Eigen::Matrix4d& m) { return of(RigidMotion::from_matrix(m)); }
 
   RigidMotion motion() const { return {rotation, translation}; }
