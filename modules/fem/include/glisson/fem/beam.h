@@ -41,6 +41,7 @@ class BeamElement {
   BeamElement(const Eigen::Vector3d& rest_1, const Eigen::Vector3d& rest_2, const BeamSection& section);
 
   double length() const { return length_; }
+  /// Elastic energy, J; zero at rest and under any rigid motion. Positions are metres, in the rest's frame.
   double energy(const BeamNodeState& a, const BeamNodeState& b) const;
   /// Derivative by displacement and by spatial rotation vector of each node, N and N m.
   Gradient gradient(const BeamNodeState& a, const BeamNodeState& b) const;

@@ -19,6 +19,7 @@ enum class BodyLaw { linear, corotational, neo_hookean };
 /// "linear", "corotational", "neo_hookean".
 const char* body_law_code(BodyLaw law);
 
+/// The law of a whole body. Young's modulus is not in it: see ElasticBody.
 struct BodyMaterial {
   BodyLaw law = BodyLaw::neo_hookean;
   double poisson_ratio = 0.45;  ///< (-1, 0.5)
@@ -35,7 +36,9 @@ using NodalColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen
 class ElasticBody {
  public:
   /// @param stiffness of each tetrahedron relative to the others, positive; empty: all 1.
-  /// @throws InputError inverted or flat elements, fixed nodes out of range, all fixed, stiffness.
+  /// @param fixed_nodes 0-based; may be empty.
+  /// @throws InputError flat elements, fixed nodes out of range, all fixed, stiffness. Elements of negative
+  ///   orientation are taken as they are.
   ElasticBody(const TetMesh& rest, const std::vector<int>& fixed_nodes, std::vector<double> stiffness = {});
   ElasticBody(const ElasticBody& other);
   ElasticBody& operator=(const ElasticBody&) = delete;
@@ -44,7 +47,8 @@ class ElasticBody {
   /// @throws InputError Poisson's ratio.
   void set_material(const BodyMaterial& material);
   const BodyMaterial& material() const;
-  /// The same body with another rest shape (no analysis). @throws InputError inverted or flat elements.
+  /// The same body with another rest shape (no analysis). @param rest one row a node, metres.
+  /// @throws InputError flat elements.
   void set_rest(const Points& rest);
   const Points& rest() const;
   int node_count() const;
@@ -67,6 +71,8 @@ class ElasticBody {
   bool factorise(const Points& x, const Eigen::VectorXd& springs);
   /// Solves for every column in place; rows of fixed nodes become zero. @pre factorise() succeeded.
   void solve(NodalColumns& b);
+  /// One right-hand side: forces (N, one row a node) give displacements (m). Rows of fixed nodes are not read
+  /// and come back as zero. @pre factorise() succeeded.
   Points solve(const Points& b);
 
  private:

@@ -62,16 +62,20 @@ struct LoadPlace {
   std::optional<LoadRegion> region;
 };
 
+/// A spring from a place of the model to a place in space, which does not move with the model. Its rest
+/// length is zero: it pulls with stiffness times distance.
 struct LoadSpring {
   LoadPlace place;
   double stiffness = 0.0;                 ///< N/m, in all; a region's nodes share it by area
   std::optional<Eigen::Vector3d> target;  ///< m; unset: the rest position
 };
+/// A force whose direction stays fixed in the mesh's frame. A region's nodes share it by area.
 struct LoadForce {
   LoadPlace place;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N, in all
 };
 
+/// Nodes that are held at their rest position plus `by`. A region means all its nodes, inner ones too.
 struct LoadMove {
   std::vector<int> nodes;
   std::optional<LoadRegion> region;

@@ -31,6 +31,8 @@ struct PlanePolar {
   Eigen::Matrix<double, 3, 2> rotation;
   Eigen::Matrix2d stretch;
 };
+/// S is the root of F^T F, in closed form. An F of rank one or zero is completed by directions of our choice,
+/// so that Q's columns are orthonormal for any finite F. A function of F alone.
 PlanePolar plane_polar_decomposition(const Eigen::Matrix<double, 3, 2>& f);
 
 }  // namespace glisson::fem

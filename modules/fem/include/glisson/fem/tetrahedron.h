@@ -37,6 +37,7 @@ struct Tetrahedron {
   /// @pre the four points are positively oriented.
   Tetrahedron(const std::array<int, 4>& node_indices, const Eigen::Matrix<double, 3, 4>& rest,
               const Material& material);
+  /// F from the rest shape to node positions x (one row a node of the whole mesh, metres); identity at rest.
   Eigen::Matrix3d deformation_gradient(const Points& x) const;
 };
 

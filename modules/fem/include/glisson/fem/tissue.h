@@ -27,12 +27,14 @@ struct Stiffness {
 
 inline constexpr double kSoftestTissue = 100.0, kStiffestTissue = 1e6;  ///< Pa that may be given
 
+/// What has been said of one liver's stiffness. A lesion's is its own entry, else `others`, else the liver's.
 struct Tissue {
   std::optional<double> parenchyma;    ///< Young's modulus, Pa; empty: nobody has said
   std::map<Label, Stiffness> lesions;  ///< those that are not in it: `others`
   std::optional<Stiffness> others;     ///< empty: as the liver
   /// Whether nothing is said that changes anything.
   bool empty() const;
+  /// As the liver where nothing is said of it. The label need not be in the model.
   Stiffness of(Label lesion) const;
   /// @throws InputError naming the structure.
   void validate() const;
