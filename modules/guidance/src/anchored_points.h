@@ -27,10 +27,10 @@ struct Anchor {
 /// Where a place of the material is after a correction; empty: nowhere.
 using Rebind = std::function<std::optional<Anchor>(int id, const Anchor& anchor)>;
 
-/// Where followed points sit on the model. A point is bound to the material of the surface when it is first
-/// seen, and keeps its place: so it also tells how the tissue moves along the surface, which no closest point
-/// can. How high above the surface it lay then (stereo's depth error, the coarse mesh's chords) stays with
-/// it: what is followed is the motion.
+/// Where followed points sit on the model. A point is bound to a place of the surface when it is first seen,
+/// and keeps that place: so it also tells how the tissue moves along the surface, which a closest point
+/// cannot. Its height above the surface at that time (stereo's depth error, the coarse mesh) is kept, too, so
+/// that only motion pulls.
 class AnchoredPoints {
  public:
   /// Binds to the closest place of the surface as it is now. @return false, and nothing bound, farther than
@@ -40,8 +40,8 @@ class AnchoredPoints {
   void bind(int id, const Anchor& anchor) { anchors_[id] = anchor; }
   /// @pre bound.
   const Anchor& anchor(int id) const { return anchors_.at(id); }
-  /// The material lies elsewhere in the model than was believed. @return one decision a point, false: the
-  /// model has no place for it, and it is forgotten.
+  /// Binds every point anew after the model was corrected: the same tissue belongs elsewhere on it.
+  /// @return one decision a point, false: the model has no place for it, and it is forgotten.
   std::vector<char> rebind(const std::vector<FollowedPoint>& points, const Rebind& rebind);
   const std::unordered_map<int, Anchor>& anchors() const { return anchors_; }
   /// Forgets all that are not among `points`.

@@ -16,9 +16,10 @@ namespace {
 constexpr double kBody = 10e-3, kShape = 4e-3, kReach = 35e-3;
 /// Metres: how far tracked tissue lies off the surface of a right model (stereo's depth, the coarse mesh).
 constexpr double kSurface = 2e-3;
-/// Their errors go together (calibration, chords of the mesh): they count as so many.
+/// The points' errors are alike (calibration, the coarse mesh): all together count as so many independent
+/// ones at the most.
 constexpr double kIndependent = 30.0;
-/// The closest places are looked for anew so often; Newton's steps between.
+/// How often the closest places are looked for anew, and Newton's steps after each time.
 constexpr int kPairings = 4, kSteps = 8;
 constexpr double kTolerance = 1e-4, kUseless = 1e-1;
 

@@ -25,11 +25,11 @@ struct SightPull {
 /// The registered shape, drawn to what hands have said: the most probable one by
 ///   E_elastic(x) / T + sum |x_i - r_i|^2 m_i / (2 m s_t^2) + sum |M (x(k) - y_k)|^2 / (2 sigma_k^2)
 ///   + sum rho(n_j (x(j) - p_j)),  M = I - e e^T,
-/// r the registered nodes, m their masses, y_k and e a line of sight, p_j the tissue that is tracked, which
-/// may slide along the surface (it is the binding that was wrong), rho Cauchy's. A registration errs first as
-/// a body: s_t = 10 mm about its place. It errs in shape by s = 4 mm over L = 35 mm (the reach of a force
-/// that nobody has simulated, see registration/operation_prior.h), whose elastic energy is E L s^2 / 2: T = E
-/// L s^2.
+/// r the registered nodes, m_i their masses and m the sum, y_k and e a point and the direction of a line of
+/// sight, p_j tracked tissue, n_j the surface's normal there, rho Cauchy's. Tracked tissue may slide along
+/// the surface: it was its binding that was wrong. A registration is expected to err by s_t = 10 mm as a
+/// body, and by s = 4 mm in shape over L = 35 mm (an unforeseen force, see registration/operation_prior.h).
+/// Such an error has the elastic energy E L s^2 / 2, so T = E L s^2, E the parenchyma's modulus.
 class Corrector {
  public:
   /// @param at_rest free of stress in the registered shape. @param surface of the same model.

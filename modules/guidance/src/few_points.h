@@ -9,7 +9,7 @@
 
 namespace glisson::guidance {
 
-/// Why too few points are left, from what the two pictures show: what helps is another thing each time.
+/// Why too few points are left, from what the two pictures show. Each reason has its own remedy.
 class FewPoints {
  public:
   /// @param first what the pictures show is compared with this frame's.
@@ -20,8 +20,9 @@ class FewPoints {
   Validity reason(const StereoFrame& frame, const FrameClock& clock);
 
  private:
-  /// Whether stereo, which sees so many places in this order, sees so few in the other one that the order is
-  /// beyond doubt.
+  /// Whether `left` and `right` are surely in this order.
+  /// @param seen places that stereo finds in this order: nearly as many as at the start, and many times as
+  ///   many as in the other order.
   bool fits(std::size_t seen, const Picture& left, const Picture& right);
   bool are_swapped(const StereoFrame& frame, const FrameClock& clock);
 
@@ -29,7 +30,8 @@ class FewPoints {
   SmallStereo stereo_;
   double left_ = 1.0, right_ = 1.0;  ///< detail over noise at the start
   std::size_t seen_ = 0;             ///< places that stereo saw at the start
-  bool tells_order_ = false;         ///< at the start it did: with cameras that squint it need not
+  bool tells_order_ = false;         ///< whether stereo could tell the order at the start; with converging
+                                     ///< cameras it may not
   double looked_ = -1.0;             ///< seconds of the clock; negative: not yet
   bool swapped_ = false;
 };

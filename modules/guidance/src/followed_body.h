@@ -26,16 +26,17 @@ class FollowedBody {
 
   /// From now on the present shape is the one at rest. @throws InputError it cannot be followed.
   void rest_here();
-  /// What is free of stress in another shape.
+  /// The composite of this organ that is free of stress in another shape.
   std::shared_ptr<const fem::CompositeModel> resting_in(const Points& shape) const;
   const std::shared_ptr<const fem::CompositeModel>& composite() const { return composite_; }
 
-  /// The camera has moved, or is somewhere else: the patient is another way in its frame, with what holds.
+  /// Moves the whole patient rigidly in the camera's frame, boundary springs included, as a motion of the
+  /// camera does.
   void move(const RigidMotion& motion);
   /// Puts the nodes somewhere, at rest.
   void place(const Points& positions);
-  /// With what is free of stress in another shape, each node moved by `motion`, its speed and what holds it
-  /// going along.
+  /// Goes on with another rest shape. Each node moves by its row of `motion` (metres) and keeps its speed;
+  /// the boundary springs go along.
   void take(std::shared_ptr<const fem::CompositeModel> resting, const Points& motion);
   /// As it was, to the bit.
   void restore(const Points& positions, const Points& velocities, const BoundarySprings& springs);

@@ -5,9 +5,9 @@
 
 namespace glisson::guidance {
 
-/// Seconds of the source from frame to frame, however many frames it gives and the machine leaves out. What
-/// is judged by it is the same for the same frames on any machine. A source whose time stands or goes back,
-/// or that has none, counts as usual.
+/// The source's own time, in seconds, whatever its frame rate and whatever frames the machine leaves out. So
+/// the same frames give the same judgements on any machine. Where the source's time stands still, goes back
+/// or is missing, a frame counts as 1/30 s.
 class FrameClock {
  public:
   /// The next frame. @param source_seconds as its source has it.
@@ -19,8 +19,8 @@ class FrameClock {
   }
   double now() const { return now_; }        ///< since the first frame
   double passed() const { return passed_; }  ///< since the frame before
-  /// Whether a wait is over, to the nearest frame: what would be later in the next frame than it is early
-  /// now is due now.
+  /// Whether `wait` seconds have passed since `since`, to the nearest frame: true now if the next frame would
+  /// be farther from that moment than this one.
   bool is_due(double since, double wait) const {
     return now_ + 0.5 * std::min(passed_, kLongest) + 1e-6 >= since + wait;
   }

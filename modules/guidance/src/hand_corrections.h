@@ -16,15 +16,15 @@
 
 namespace glisson::guidance {
 
-/// Where what was bound to the surface belongs in another registered shape.
+/// Where points that are bound to the surface belong after the registered shape has changed.
 struct BindingChange {
   Rebind of_followed, of_remembered;
   std::function<std::optional<ClosestPoint>(const ClosestPoint&)> of_surface;
 };
 
-/// What hands have said since tracking began, all of it in the shape that was registered: there tissue that
-/// is followed has a place of its own, which no correction changes, and the model another one after each. So
-/// a correction stays while the tissue moves, a later one is weighed with it, and it can be taken back.
+/// Corrections by hand since tracking began. All are kept in the registered shape. In it, a followed piece of
+/// tissue has one place, which no correction changes; a correction changes where the model lies there. So a
+/// correction holds while the tissue moves, later ones are weighed with it, and it can be taken back.
 class HandCorrections {
  public:
   /// @param at_rest free of stress in the registered shape, where the surface is.
@@ -34,7 +34,7 @@ class HandCorrections {
   /// The registered shape with the corrections that stand.
   const Points& shape() const { return shape_; }
   const std::vector<CorrectionMade>& made() const { return made_; }
-  /// Motions of the nodes in the registered shape, as the present one is turned.
+  /// Motions of the nodes in the registered shape (N x 3, metres), turned as the organ is at present.
   Points carried(const Points& motions, const Points& present) const;
 
   struct Proposal {

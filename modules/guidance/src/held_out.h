@@ -18,9 +18,9 @@
 
 namespace glisson::guidance {
 
-/// Points that somebody else than the tracker says are not on the liver (PictureMask). A mask is of a former
-/// picture and nothing tells how a tool has moved since: so it is not carried on, but asked where each point
-/// was in its own picture. A point that is younger is asked where it is now.
+/// Points that a mask of what is not liver silences (PictureMask). A mask belongs to an earlier picture, and
+/// nothing tells how a tool has moved since. So the mask is not moved: each point is looked up where it was
+/// in that picture. A point that is younger than the picture is looked up where it is now.
 class HeldOut {
  public:
   /// @param window_px of Lucas-Kanade: a point whose window has a masked pixel follows that in part.

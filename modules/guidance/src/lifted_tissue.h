@@ -13,10 +13,10 @@ struct SeenGrid {
   std::vector<int> followed;            ///< points followed there
 };
 
-/// Where what lies nearer than predicted is the organ itself, lifted or swollen, and not something before it.
-/// A patch of places side by side is the organ's if its depth goes over into the organ's around it without a
-/// step, or if points are followed on it about as densely as on the rest. A tool has a step all around, but
-/// for its tip, and no point begins on it. One decision a place.
+/// Where something nearer than predicted is the organ itself, lifted or swollen, and nothing in front of it.
+/// A connected patch is the organ's if its depth passes into the surrounding organ's without a step, or if
+/// points are followed on it about as densely as elsewhere. A tool has a step all around but at its tip, and
+/// no point begins on it. One decision a place, row by row.
 std::vector<char> lifted_places(const SeenGrid& grid);
 
 }  // namespace glisson::guidance

@@ -11,23 +11,24 @@
 namespace glisson::guidance {
 namespace {
 
-/// Over which motion is judged, however many frames a source gives in it: 0.4 s, less what containers round.
+/// Time over which motion is judged, whatever the frame rate: 0.4 s, a little less because video files round
+/// their times.
 constexpr double kSeconds = 0.38;
 constexpr std::size_t kLeastFrames = 4, kMostFrames = 60;
 constexpr std::size_t kLeastInGroup = 6;
 constexpr int kGroups = 4;  ///< along each side of the picture
 /// Frames from which the calibration's own offset of rows is learned.
 constexpr int kFirstFrames = 5;
-/// Pixels: more than a calibration leaves, whatever was there at first; of the median, and of the points'
-/// scatter about it.
+/// Pixels: the most that a calibration may leave, of the median and of the points' scatter about it. What was
+/// there at first is taken off up to this only.
 constexpr double kMostRows = 1.0, kMostScatter = 0.7;
 constexpr double kUnknown = -1.0;
 
 /// Places of one group's points over frames: a row each point, a column each frame.
 using Paths = Eigen::MatrixXd;
 
-/// What all points of a group do alike from frame to frame, over what each does on its own. Breath that
-/// turns has no speed for some frames; over the whole time it has gone somewhere.
+/// The motion that all points of a group share, over the motion of each on its own, both as variances over
+/// the whole time. Speeds from frame to frame would not do: at the turn of a breath they are zero.
 double common_motion(const Paths& paths) {
   const auto n = static_cast<double>(paths.rows()), k = static_cast<double>(paths.cols());
   const Paths from_own_middle = paths.colwise() - paths.rowwise().mean();

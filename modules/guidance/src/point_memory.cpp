@@ -9,18 +9,20 @@
 namespace glisson::guidance {
 namespace {
 
-/// Frames, since what is followed errs from frame to frame, not from second to second: each point's turn
-/// comes so often; one that was not found for so long is lost.
+/// In frames, not seconds, because a followed point drifts by a little in every frame. A point is looked for
+/// in its first picture every kEvery frames; one that was not found for kLost frames is lost.
 constexpr int kEvery = 6, kLost = 90;
-/// Below this, what is found may be another place of the same sort of tissue.
+/// Least likeness of a patch that is found; below it, it may be another place of similar tissue.
 constexpr double kAlike = 0.8;
-/// Pixels: farther off what is followed it is another place; off what the model predicts, likewise.
+/// Pixels: farther than kMostOff from where the point was followed to, or than kMostRecalled from where the
+/// model predicts it, what is found is another place.
 constexpr double kMostOff = 3.0, kMostRecalled = 5.0;
-/// A look that must be stretched by more says nothing; by more than the second, a nearer one is taken.
+/// A look that must be stretched by more than kMostStretch is not used. Where the best one is stretched by
+/// more than kNewLook, the present look is kept, too.
 constexpr double kMostStretch = 1.5, kNewLook = 1.2;
 constexpr std::size_t kLooks = 4, kPlaces = 1500;
-/// Frames between two looks for a place that is not followed; so many in vain (a minute, in which something
-/// may have covered it), and it does not look like that any more.
+/// A place that is not followed is looked for every kTryAgain frames. After kMisses searches in vain (a
+/// minute, in which something may have covered it) it is taken to look otherwise now, and is forgotten.
 constexpr int kTryAgain = 10, kMisses = 180;
 
 double stretch_of(const Eigen::Matrix2d& warp) {

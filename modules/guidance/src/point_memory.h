@@ -11,10 +11,10 @@
 namespace glisson::guidance {
 
 /// Every place of the tissue that was ever followed, with how it looked when it was bound to the surface.
-/// From one frame to the next Lucas-Kanade errs by little, but what it errs adds up; a point that is found in
-/// its first picture again has lost that (Matthews, Ishikawa and Baker, The template update problem, 2004).
-/// And a place that comes back into sight is bound where it was at first, not to where the model is now: so
-/// nothing that is seen again drifts. The model says how a patch has turned and stretched since.
+/// Lucas-Kanade's small errors add up from frame to frame; finding a point in its first picture again removes
+/// them (Matthews, Ishikawa and Baker, The template update problem, 2004). A place that comes back into sight
+/// keeps its first binding, whatever lies there on the model now: so it does not drift either. The model says
+/// how a patch has turned and stretched since.
 class PointMemory {
  public:
   explicit PointMemory(const StereoRig& rig) : rig_(rig) {}
@@ -22,20 +22,21 @@ class PointMemory {
   /// Keeps how a newly bound point looks. @param frame number, ascending.
   void remember(const FollowedPoint& point, const Anchor& anchor, const StereoFollower& pictures,
                 const registration::MovingSurface& surface, int frame);
-  /// Puts those points whose turn it is (each every sixth frame) where their first looks are found. A point
-  /// that has not been found for three seconds goes, if most others are: Lucas-Kanade has lost it.
+  /// Moves points to where their kept looks are found, each point every sixth frame. One that was not found
+  /// for three seconds is let go, unless most are not found: then the whole picture has changed.
   /// @return one decision a point, false: let it go.
   std::vector<char> confirm(StereoFollower& follower, const registration::MovingSurface& surface, int frame);
-  /// Follows places again that are not followed, and should be in sight: oldest first, since the first were
-  /// bound next to the registration. @param spacing pixels between points. @return how many.
+  /// Follows places again that were lost and should be in sight. Oldest first: they were bound closest in
+  /// time to the registration. @param spacing pixels between points. @return how many.
   int recall(StereoFollower& follower, AnchoredPoints& anchors, const registration::MovingSurface& surface,
              int wanted, double spacing, int frame);
   /// Forgets what was bound after that frame: the model was not where the organ is.
   void forget_since(int frame);
   /// Forgets places that are none of the organ's.
   void forget(const std::vector<int>& ids);
-  /// The material lies elsewhere in the model than was believed. Places that the model has no room for go.
-  /// @param before, after the surface as it is now, by either belief.
+  /// Binds every place anew after the model was corrected: the same tissue belongs elsewhere on it. Places
+  /// for which there is none are forgotten.
+  /// @param before, after the surface in the present frame, uncorrected and corrected.
   void rebind(const Rebind& rebind, const registration::MovingSurface& before,
               const registration::MovingSurface& after);
   std::unordered_map<int, Anchor> anchors() const;

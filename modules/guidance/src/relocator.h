@@ -26,10 +26,11 @@ class Relocator {
   /// ones the newest few. Returns at once: the work is done beside the live loop.
   void remember(const Picture& left, const registration::MovingSurface& surface);
 
-  /// The material lies elsewhere in the model than was believed. Places that come back empty go.
+  /// Binds the key frames anew after the model was corrected: the same tissue belongs elsewhere on it. Places
+  /// for which `rebind` gives nothing are forgotten.
   void rebind(const std::function<std::optional<ClosestPoint>(const ClosestPoint&)>& rebind);
-  /// The key frames as they are bound now; restore() takes those back that were there, with `rebind` for the
-  /// later ones.
+  /// The key frames as they are bound now. restore() binds these as they were, and those made since then by
+  /// `rebind`.
   struct Saved;
   std::shared_ptr<const Saved> save();
   void restore(const Saved& saved,

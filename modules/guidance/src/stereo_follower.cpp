@@ -98,9 +98,9 @@ bool is_seen(const Camera& camera, const cv::Mat& inside, const Eigen::Vector2d&
                                                     static_cast<int>(std::lround(at.x()))) != 0);
 }
 
-/// Deviation of a picture's noise where `allowed` (half the size), grey levels: what Immerkaer's mask (1996),
-/// which is blind to slopes, leaves there. The lower quartile, since texture is in it too. At least that of
-/// whole grey levels.
+/// Standard deviation of a picture's noise where `allowed` (half the size) is set, grey levels, by
+/// Immerkaer's mask (1996), which cancels slopes. From the lower quartile, in which texture weighs little; at
+/// least what rounding to whole grey levels makes.
 double noise_of(const cv::Mat& grey, const cv::Mat& allowed) {
   constexpr double kRounding = 0.29, kGain = 6.0, kQuartile = 0.3186;
   const cv::Mat mask = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
@@ -114,9 +114,9 @@ double noise_of(const cv::Mat& grey, const cv::Mat& allowed) {
   return std::max(kRounding, lower_percentile(std::move(sizes), 0.25) / (kQuartile * kGain));
 }
 
-/// Corners that noise lets be found again within half a pixel of the whole picture: 2 s^2 / (sum of squared
-/// slopes) is the square of Lucas-Kanade's error. A share of the strongest corner would ask of plain tissue
-/// what beads, clips and the rims of highlights have.
+/// Corners that can be found again within half a pixel of the whole picture in spite of noise: Lucas-Kanade's
+/// squared error is 2 s^2 / (sum of squared slopes), s the noise. A limit relative to the strongest corner
+/// would not do: beads, clips and the rims of highlights are far stronger than plain tissue.
 /// @param half the picture at half its size. @return at most `most`, strongest first, in `half`.
 std::vector<cv::Point2f> corners_of(const cv::Mat& whole, const cv::Mat& half, const cv::Mat& allowed,
                                     int most, double spacing) {

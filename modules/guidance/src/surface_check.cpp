@@ -19,8 +19,8 @@ namespace glisson::guidance {
 namespace {
 
 constexpr int kWidth = 640, kStep = 10;  ///< of the reduced pictures, and of the grid there
-/// What a right overlay may be off the surface besides stereo's own error, metres: what registration and
-/// coarse mechanics leave.
+/// Metres: how far a right overlay may be off the surface besides stereo's own error. Registration and the
+/// coarse mechanics leave that much.
 constexpr double kModelSigma = 1.5e-3;
 constexpr double kSupported = 3.0;  ///< standard deviations
 constexpr double kApart = 8e-3;     ///< metres beyond those: something else is seen
@@ -29,7 +29,8 @@ constexpr int kOccluded = 4;        ///< places of the grid beside something nea
 constexpr int kRegions = 5;         ///< along each side of the picture
 constexpr std::size_t kRegionCount = std::size_t{kRegions} * kRegions;
 constexpr std::size_t kLeastInRegion = 6;
-/// Of one region's median: its points' errors are alike (locking of the matcher, the mesh's chords).
+/// Share of stereo's error that is common to all points of a region and stays in their median (the matcher's
+/// locking to whole pixels, the coarse mesh).
 constexpr double kRegionStereoShare = 0.5;
 constexpr double kReach = 15e-3;  ///< metres; what lies farther off the model is not it
 constexpr int kFitSteps = 8;
@@ -38,8 +39,8 @@ constexpr double kCauchy = 3.0;
 constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies between says the same
 /// Before anything is seen, the organ may be anywhere within so much: what stays unknown shows as pull_sigma.
 constexpr double kPriorShift = 0.03, kPriorTurn = 0.35;  ///< metres, radians
-/// Metres: what lies farther off the surface is no tissue of the organ, even where the start was wrong; and
-/// beside its rim a point has no place on it.
+/// Metres: a point farther than kTissue from the surface is no tissue of the organ, even if the start was
+/// wrong; one farther than kBesideRim beside its rim has no place on it.
 constexpr double kTissue = 20e-3, kBesideRim = 2e-3;
 /// Points of one region count as this many independent ones.
 constexpr double kIndependentInRegion = 2.0;
@@ -123,8 +124,8 @@ struct SurfaceCheck::Impl {
     return true;
   }
 
-  /// Beside something nearer (a tool) one view sees what is hidden from the other, and matching errs there:
-  /// that is no looking past the organ.
+  /// Beside something nearer (a tool) one view sees what is hidden from the other, and matching errs there.
+  /// A greater depth there does not mean that the organ is elsewhere.
   void leave_out_occluded() {
     for (int r = 0; r < stereo.rows(); ++r)
       for (int c = 0; c < stereo.columns(); ++c) {
@@ -160,7 +161,7 @@ struct SurfaceCheck::Impl {
       if (depth[i] <= 0.0) continue;
       ++evidence.seen;
       const double along = point.p_in_camera.norm() - depth[i];
-      // Across the surface: on a slope, what is off along the ray is less off the surface.
+      // Across the surface: on a slope this is less than along the ray.
       const double slope = std::max(0.2, inclination[i]), gap = along * slope;
       const double sigma = std::hypot(point.sigma * slope, kModelSigma);
       if (std::abs(gap) < kSupported * sigma)
@@ -270,7 +271,8 @@ struct SurfaceCheck::Impl {
       wishes[i].weight = wishes[i].robust_weight() / std::max(1.0, count[group[i]] / kIndependentInRegion);
   }
 
-  /// Where the organ is predicted and stereo looks past it, it should move to where stereo sees it.
+  /// Where the organ is predicted but stereo sees something behind it, the organ should move to the nearest
+  /// place of the picture at which stereo does see it.
   void add_free_space(const Correction& now, std::vector<Wish>& wishes, std::vector<int>& group,
                       std::map<int, int>& count) const {
     constexpr int kFarthest = 12;  // places of the grid

@@ -21,8 +21,9 @@ struct SurfaceEvidence {
   double before = 0.0;     ///< the same, nearer: covered, or the organ itself:
   double lifted = 0.0;     ///< of `before`, what is the organ (lifted_places())
   double gap = 0.0;        ///< rms over regions of the median distance, expected standard deviations
-  /// Of the two regions side by side that lie off to the same side most, the less: one part of the organ that
-  /// is elsewhere is diluted in `gap`, and one region alone may be a wrong match. Standard deviations.
+  /// Two neighbouring regions that are off to the same side count as much as the smaller of the two, in
+  /// standard deviations; this is the largest over all such pairs. It finds a part of the organ that is
+  /// elsewhere, which `gap` dilutes, and ignores a single region, which may be a wrong match.
   double local = 0.0;
   double pull = 0.0;  ///< metres; see Evidence
   double pull_sigma = 0.0;

@@ -10,17 +10,18 @@
 
 namespace glisson::guidance {
 
-/// Where fresh stereo has seen the followed tissue, all looks joined in the shape that was registered: there
-/// a place of the tissue is the same in every frame, however organ and scope have moved since. What stereo
-/// errs differs from look to look and averages out; what passes before the organ does not stay with its
-/// tissue, and is left out.
+/// Where fresh stereo has seen the followed tissue. All looks are joined in the registered shape, in which a
+/// piece of tissue has the same place in every frame, however organ and scope have moved. Stereo's errors
+/// differ from look to look and average out. What passes in front of the organ does not stay with its tissue,
+/// and so is left out.
 class TissueMap {
  public:
   /// One fresh surface. @param places in the registered shape, metres.
   void add(const std::vector<Eigen::Vector3d>& places);
   /// Fresh surfaces so far.
   int looks() const { return looks_; }
-  /// A place a cell of 4 mm that three looks and more have seen, N x 3, metres, in an order that repeats.
+  /// The mean place in each cell of 4 mm that at least three looks have seen. N x 3, metres, the registered
+  /// shape's frame. The order is the same from run to run.
   Points places() const;
   void clear();
 

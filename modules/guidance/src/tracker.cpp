@@ -31,9 +31,9 @@ constexpr double kMissing = 0.1;
 /// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
 /// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
-/// Seconds without an overlay after which the organ is looked for by its texture. An attempt takes about as
-/// long as three frames: for a second it is made in every tenth of one, then less often, so that a video
-/// that shows nothing of the organ is still followed at most of its rate.
+/// Seconds. After kLost without an overlay the organ is looked for by its texture: every kLookAgain during
+/// kEager, then every kLookSeldom. An attempt takes about as long as three frames, so it must not be made
+/// often for long.
 constexpr double kLost = 0.1, kEager = 1.0, kLookAgain = 0.1, kLookSeldom = 0.3;
 /// Metres. Where the organ is found this near, it was not lost.
 constexpr double kFoundElsewhere = 2e-3;
@@ -285,13 +285,14 @@ struct Tracker::Impl {
     lesions = LesionJudge(patient, registration, options.lesions);
     doubtful = !registration.doubts.empty();
     going_over.reset();
-    // What was seen of a refuted place is no evidence of this one; one that is shown goes on being judged.
+    // Evidence against a refuted place says nothing of the new one; evidence for a shown one goes on
+    // counting.
     if (judge && judge->refutes()) judge->distrust();
     if (last.level() != Level::withdrawn) going_over = GoingOver{former - hand->shape(), last.seconds};
     return drawn(corrected());
   }
 
-  /// A picture that goes over to another registration: what is judged is the new one.
+  /// The overlay as it is drawn while the picture goes over to another registration. Judged is the new one.
   OverlayFrame drawn(OverlayFrame overlay) {
     if (!going_over) return overlay;
     const double share = 1.0 - (overlay.seconds - going_over->since) / kGentle;

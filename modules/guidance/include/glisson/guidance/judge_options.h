@@ -26,11 +26,14 @@ struct JudgeOptions {
   double contrast = 0.55;     ///< Evidence::contrast
   double least_signal = 1.0;  ///< detail over noise that a picture has at least: less at the start is no norm
   double motion = 2.5;        ///< Evidence::motion: less is none
-  /// Evidence::fresh of a picture that does not move: up to the first it is a repeated one, from the second
-  /// on it is alive, unless its noise has become so many times as large as it was while it moved.
+  /// Evidence::fresh of a still picture. Up to `repeated` it is a copy; above `fresh` it is live; between
+  /// them it may be either. Noise that has grown by the factor `louder` since the scene last moved makes it a
+  /// copy, too: somebody adds the noise.
   double repeated = 0.1, fresh = 0.7, louder = 1.2;
-  double rows = 0.35;  ///< pixels, Evidence::rows
-  double relief = 0.8;
+  /// Pixels, Evidence::rows: from here on the two views show different moments. If the points scattered by
+  /// more about their median at first (one deviation), that is the limit instead.
+  double rows = 0.35;
+  double relief = 0.8;  ///< share of every limit below which a reason goes again, so that it does not flicker
   /// @throws InputError naming the option.
   void validate() const;
 };

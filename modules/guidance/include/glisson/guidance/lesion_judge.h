@@ -16,8 +16,8 @@ struct LesionOptions {
   /// resected.
   double margin = 10e-3;
   double useless = 30e-3;  ///< from that reach on its region is not drawn either: it says too little
-  /// Motion of tissue that is not seen, rms, that forces nobody has simulated cause, and how far from what is
-  /// seen they act: the registration's.
+  /// Forces that no simulation knew of move tissue that is out of sight. `unknown_forces`: that motion, rms.
+  /// `reach`: the distance from tracked points over which it comes to act. Both are the registration's.
   double unknown_forces = registration::kUnforeseenMotion, reach = registration::kUnforeseenSpread;
   double settle = 2.0;  ///< within about this time they come to act where nothing is tracked
   double relief = 0.8;  ///< a limit counts again below this share of it, so that nothing flickers
@@ -25,12 +25,13 @@ struct LesionOptions {
   void validate() const;
 };
 
-/// Judges each lesion of a model that is followed, from the registration's error S at it, the distance d of
-/// the tracked points, and the time t since any were near:
+/// Judges each lesion of a model that is followed, from three things: the registration's error S at the
+/// lesion, the distance d from it to the nearest tracked points, and the time t since any were near:
 ///     S_now = R S R^T + (D^2 w(d) + F^2 (1 - exp(-t / settle)) max(0, w(d) - w(d at first))) I / 3,
 ///     w(d) = 1 - exp(-d^2 / reach^2),
-/// R the organ's turn since the registration, D the rms of what it has moved besides as a body, F
-/// `unknown_forces`: those of what was out of sight at first are in S already. Not thread-safe.
+/// R is the organ's rotation since the registration, D the rms over nodes of its deformation since then (the
+/// best rigid motion taken off), F `unknown_forces`. What was out of sight at first has them in S already, so
+/// w(d at first) is taken off. Not thread-safe.
 class LesionJudge {
  public:
   /// @throws InputError options out of range. @pre one node of the registration a node of the model.

@@ -18,6 +18,7 @@
 
 namespace glisson::guidance {
 
+/// How an organ is followed, and from when it is no longer shown. Defaults are for 30 frames a second.
 struct TrackerOptions {
   int points = 200;                  ///< wanted; each is followed in both pictures
   double forward_backward_px = 1.0;  ///< gate on the disagreement
@@ -28,8 +29,8 @@ struct TrackerOptions {
   double maximum_residual = 5e-3;    ///< m; more: no overlay
   /// A frame in which a smaller share of the points agrees with its neighbours shows no one motion.
   double minimum_consistent_share = 0.5;
-  double time_step = 1.0 / 30.0;
-  int steps_per_frame = 1;
+  double time_step = 1.0 / 30.0;  ///< s, of the mechanics; the video's clock does not change it
+  int steps_per_frame = 1;        ///< of the mechanics
   /// Factor of eq. 14, metres: all points together pull as the visible surface would with a stiffness of
   /// point_stiffness * E on each reference area, however many points there are.
   double point_stiffness = 1e-2;
@@ -47,13 +48,14 @@ struct TrackerOptions {
   /// camera, boundary springs' places included. False, or nodes are fixed: the camera stands, as in the
   /// paper.
   bool scope_moves = true;
-  std::vector<int> fixed_nodes;
-  JudgeOptions judge;  ///< of pictures; clouds are judged by their residual alone
+  std::vector<int> fixed_nodes;  ///< 0-based, of the model's mesh; they stay where the start has them
+  JudgeOptions judge;            ///< of pictures; clouds are judged by their residual alone
   LesionOptions lesions;
   /// For follow(cloud): form, s, surface stiffness, density, and of contact forces the lesions' stiffness.
   registration::ElasticOptions cloud;
   /// How clouds are followed; automatic as in register_model, by `fixed_nodes`.
   registration::Method cloud_method = registration::Method::automatic;
+  /// Of its own, the materials', the judges' and the clouds'. @throws InputError naming the option.
   void validate() const;
 };
 
