@@ -13,8 +13,8 @@
 namespace glisson::registration {
 namespace {
 
-/// The linear law takes a turn for a strain: tissue does not. It is taken where the cloud asks for it, not
-/// where it tells nothing: odds of 1 to 20 beforehand, logarithm.
+/// Logarithm of the linear law's prior odds, 1 to 20. It takes rotations for strains, which tissue does not,
+/// so it is chosen only where the cloud clearly asks for it.
 constexpr double kLinearPrior = -3.0;
 
 /// Log evidence of a fit and of its law.
@@ -22,8 +22,8 @@ double score(const LawFit& law) {
   return law.log_evidence + (law.material.law == fem::BodyLaw::linear ? kLinearPrior : 0.0);
 }
 
-/// Fits that do not depend on each other, on one thread or two: each is one thread's from start to end, so
-/// that its bits are the same.
+/// Independent fits, on one thread or two. Each is computed by one thread from start to end, so its bits do
+/// not depend on the number of threads.
 class Fits {
  public:
   Fits(const ForceProblem& problem, const RunContext& context) : problem_(problem), context_(context) {}

@@ -18,9 +18,9 @@ constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehan
 constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
 constexpr double kPlace = 25e-3;              ///< m
 constexpr double kTolerance = 25.0;           ///< of the robust weight, squared deviations (shape_fit.cpp)
-/// Deviations over those of the linear model: it knows nothing of contacts, of other laws, of the
-/// segmentation beyond its mean error. Under this 95 % ellipsoids held 92 % of the development patients'
-/// lesions (EVIDENCE.md).
+/// Factor on the linear model's deviations. They leave out contacts, other laws, and errors of the
+/// segmentation beyond its mean. With it 95 % ellipsoids held 92 % of the development patients' lesions
+/// (EVIDENCE.md).
 constexpr double kLeftOut = 1.6;
 
 /// Turns every node's vector.

@@ -167,9 +167,9 @@ std::vector<int> ForceFitter::strongest(const State& state) {
   return nodes;
 }
 
-/// How small a place is on which a force acts is not known beforehand. What the cloud can tell apart grows
-/// with its precision: around the strongest forces found so far the net becomes finer, with patches of half
-/// the size at a time, while they are wider than a few deviations.
+/// Adds finer patches around the strongest forces found so far, since the size of a place on which a force
+/// acts is not known. Each time half as large, as long as they are wider than a few deviations of the cloud:
+/// a more precise cloud can tell smaller places apart.
 void ForceFitter::refine_patches(double sigma) {
   const ContactForceOptions& o = problem_.options;
   const Points& rest = problem_.model.mesh.vertices;
@@ -218,8 +218,9 @@ Eigen::Index ForceFitter::pose_columns() const {
   return problem_.free_pose ? 6L * problem_.cloud.cloud.look_count() : 0;
 }
 
-/// What a force on each patch does to each gap; then the modes and, where the pose is free, a twist and one
-/// of each further look, which closes a gap by going the other way.
+/// How each gap changes with each unknown, a column each: forces on the patches, amplitudes of the modes,
+/// then (where the pose is free) a twist of the model and of each further look. A look's counts the other
+/// way: it moves the cloud.
 Eigen::MatrixXd ForceFitter::design(const ForceRows& rows) const {
   const Eigen::Index columns = responses_.cols(), modes = now_.modes.size();
   Eigen::MatrixXd a(rows.size(), columns + modes + pose_columns());
@@ -384,14 +385,15 @@ bool ForceFitter::run(const RunContext& context, const std::function<void()>& ad
     if (sigma > 1.01 * first_sigma_) continue;
     if (!stage(sigma, context)) return false;
     advance();
-    // Below the noise the evidence falls, and goes on falling. Far from it a stage may be at fault.
+    // Once sigma is below the noise, the evidence only falls. At a large sigma a single stage may have
+    // failed.
     if (sigma < kNoiseAtMost && now_.law.log_evidence < best_.law.log_evidence) break;
   }
   return settle(context);
 }
 
-/// Goes on where the most probable stage was still moving, as long as that makes it more probable. Not beside
-/// operations: there a last stage moves by what the model does not know, not towards what is seen.
+/// Repeats the most probable stage while it is still moving and becomes more probable. Not with a prior of
+/// operations: there the last motion follows what the model does not know, not the cloud.
 bool ForceFitter::settle(const RunContext& context) {
   if (problem_.options.prior) return true;
   for (int round = 0; round < kSettling && best_.law.termination != Termination::converged; ++round) {

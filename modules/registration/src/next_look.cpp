@@ -141,8 +141,8 @@ class LandmarkLooks {
   const Registration& registration_;
 };
 
-/// A look at each place; without rows where none is offered. What is seen already tells nothing new: the
-/// model's own error there stays.
+/// A look at each place; without rows where none is offered. Only surface that is not seen yet gives rows:
+/// what is uncertain where it is seen is the model's own error, which stays.
 std::vector<Look> surface_looks(const PatientModel& model, const LabelledCloud& cloud,
                                 const Registration& registration, const ErrorModel& error,
                                 const Places& places, const RunContext& context) {

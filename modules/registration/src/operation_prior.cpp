@@ -165,9 +165,9 @@ class Operations {
   std::vector<Place> places_;
 };
 
-/// Principal components about the rest shape. How the organ answers to each load on average is known better
-/// than the operations' own scatter tells: the loads were drawn, so their covariance is known, not estimated.
-/// The motion is u = L a + r, a the loads, L by regression; its covariance is L L^T + cov r.
+/// Principal components about the rest shape. The motion is u = L a + r, a the loads, L by regression, so its
+/// covariance is L L^T + cov r. The covariance of a is known, for the loads were drawn: this is more exact
+/// than estimating it from the few motions.
 /// @param motions 3 N x n. @param loads Draw::kLoads x n.
 Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd& loads, int most) {
   const Eigen::Index n = motions.cols(), k = loads.rows();

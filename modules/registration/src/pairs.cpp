@@ -73,9 +73,9 @@ std::vector<std::vector<int>> nearest_neighbours(const LabelledCloud& cloud, int
   return neighbours;
 }
 
-/// A_i: the disc that reaches the k-th neighbour holds k points. Holes and borders would count for what was
-/// not seen, so no point stands for more than three times the median.
-/// @param around each point's neighbours of all looks: what is seen twice is not twice as large.
+/// A_i: the area of the disc up to the k-th neighbour, over k. Beside holes and borders this takes in what
+/// was not seen, so no point stands for more than three times the median.
+/// @param around each point's neighbours in all looks together, so that what is seen twice counts once.
 void weigh_surface(PreparedCloud& prepared, const std::vector<std::vector<int>>& around,
                    double reference_area) {
   std::vector<double> areas(prepared.weight.size(), 0.0), of_surface;
@@ -93,8 +93,8 @@ void weigh_surface(PreparedCloud& prepared, const std::vector<std::vector<int>>&
       prepared.weight[i] = std::min(areas[i], most) / reference_area;
 }
 
-/// By length: a net of centres one reference spacing apart stands for the line; each cell's points share its
-/// one.
+/// By length. Centres one reference spacing apart are chosen along the margin; the points nearest to one
+/// centre share a weight of 1.
 void weigh_margin(PreparedCloud& prepared, double spacing) {
   std::vector<int> centres, members, cell(prepared.weight.size(), -1);
   const Points& points = prepared.cloud.points;

@@ -20,12 +20,13 @@ namespace {
 constexpr Eigen::Index kLeastTissue = 30;
 constexpr double kCube = 15e-3;  ///< metres
 constexpr std::uint64_t kEvery = 5;
-/// Cubes that say anything together; and standard deviations of their mean beyond which it is no chance.
+/// Fewest cubes that can decide; and the standard deviations of their mean beyond which it is not chance.
 constexpr double kLeastCubes = 5.0, kDeviations = 2.0;
-/// Metres along the ray, of tissue that was looked at again and again: what all looks err alike.
+/// Metres along the ray: the error that remains when tissue was looked at many times, since all looks share
+/// it.
 constexpr double kTissueSigma = 1.2e-3;
 
-/// Of the cube around it: a number without a pattern that an organ could share.
+/// A number for the cube around a place, mixed so that which cubes are left out follows no pattern in space.
 std::uint64_t cube_of(const Eigen::Vector3d& p) {
   std::uint64_t mixed = 0x9e3779b97f4a7c15ULL;
   for (int k = 0; k < 3; ++k) {
@@ -76,7 +77,8 @@ std::vector<double> gaps_from(MovingSurface& surface, const Points& nodes, const
   return gaps;
 }
 
-/// Whether places lie nearer by more than chance, cube by cube: points of one cube err alike.
+/// Whether places lie nearer than before by more than chance. Counted by cubes: points of one cube share
+/// errors.
 bool is_nearer(const Points& places, const std::vector<double>& before, const std::vector<double>& after) {
   std::map<std::uint64_t, std::pair<double, int>> cubes;
   for (std::size_t i = 0; i < before.size(); ++i) {

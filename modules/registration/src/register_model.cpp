@@ -77,12 +77,13 @@ LabelledCloud as_looked(const LabelledCloud& cloud, const LookMotions& looks) {
   return moved;
 }
 
-/// Tools act on what is seen and next to it; what they press and pull is no smaller than they are, and a
-/// patient's mesh is coarse.
+/// Of the patches on which tools may act: how far from what is seen, how far apart, how wide. Not finer:
+/// tools are not smaller, and a patient's mesh is coarse.
 constexpr double kToolReach = 40e-3, kToolSpacing = 20e-3, kToolRadius = 30e-3;  // m
 constexpr int kPatientStages = 3;
-constexpr double kToolPrice = 1.0;  ///< one of all places is where something acts
-/// Where one is expected five and more act in 4 of 1,000 (Poisson): then they explain what they should not.
+constexpr double kToolPrice = 1.0;  ///< as if one of all patches were expected to act
+/// More forces than this are a doubt: where one is expected, five or more come in 4 of 1,000 operations
+/// (Poisson), so they rather explain something else.
 constexpr std::size_t kMostTools = 4;
 
 /// @param shapes where operations are known: their modes and the forces of tools are found together, from the
@@ -95,7 +96,7 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   forces = forces_with(model, elastic, std::move(forces));
   forces.pose_known = pose_known;
   if (shapes) {
-    // A shape that the prior likes may have bent the wrong way under a tool: each is begun at rest, too.
+    // A probable shape may have bent the wrong way under a tool, so each place is also begun at rest.
     for (const ShapeFit* place : shapes->places()) {
       forces.other_places.push_back({place->start.camera_from_ct, {}, place->start.looks});
       if (place != &shapes->best())
@@ -216,8 +217,8 @@ void tell_once(std::vector<std::string>& doubts) {
 
 bool takes_forces(Method method, const PatientModel& model, const ElasticOptions& elastic) {
   if (method != Method::automatic) return method == Method::forces;
-  // Where nothing is known to hold the organ a bend of the whole is no work of few patches: springs are
-  // nearer.
+  // Forces only for a bare body that fixed nodes hold. Where nothing is known to hold the organ it bends as a
+  // whole, which few patches do not explain; springs come closer.
   return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !elastic.prior &&
          !elastic.fixed_nodes.empty();
 }
@@ -349,8 +350,9 @@ class Run {
     return looks_.empty() || compare_looks();
   }
 
-  /// The control waits for nothing but the prior, and what follows is one thread's work: with two it runs
-  /// beside it. Several looks are first brought to where the shape has found them.
+  /// Begins the mirror's control on the second thread, if there is one: it needs nothing but the prior, and
+  /// the steps that follow take one thread. Not with several looks, which the control first has to join as
+  /// the shape has found them.
   void begin_control() {
     if (!is_sought() || options_.threads < 2 || !looks_.empty()) return;
     control_.begin_beside(model_, cloud_, options_, elastic_, context_);
@@ -374,7 +376,7 @@ class Run {
       made = register_by_forces(model_, cloud_, start_.camera_from_ct, elastic_, shapes_, options_.forces,
                                 options_.start == Start::none, result().forces,
                                 up_to(either ? 0.5 * (done_ + judged) : judged));
-    // Where no force is worth its price the shapes explain what is seen.
+    // If no force was worth its price, the shape alone explains what is seen.
     if (either && made && result().forces->forces.empty()) result().forces.reset();
     if (context_.cancelled()) return false;
     if (result().forces)

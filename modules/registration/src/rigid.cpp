@@ -17,9 +17,10 @@
 namespace glisson::registration {
 namespace {
 
-/// No point costs more than this: what is farther is not there (a hole in the model, an outlier).
+/// Metres. A point's cost is capped here: what is farther belongs to nothing (a hole in the model, an
+/// outlier).
 constexpr double kCap = 30e-3;
-/// A model point must not lie in front of what was seen by more than this (the organ deforms).
+/// Metres by which the model may lie in front of a seen point: the organ deforms.
 constexpr double kOcclusion = 10e-3;
 
 struct Pose {
@@ -49,7 +50,8 @@ class Aligner {
     trim(matches);
     double sum = 0.0, weights = 0.0;
     for (const Match& m : matches) {
-      // The same at every pose: else one that lays the marks beside an unsure piece would be rid of them.
+      // The landmark's mean share, the same at every pose. By the share at each place, a pose could lower its
+      // cost by laying the marks beside a piece of the landmark that is uncertain.
       const double weight = weight_[static_cast<std::size_t>(m.point)] * mean_share_[index_of(m.feature)];
       sum += weight * m.distance;
       weights += weight;
@@ -304,8 +306,8 @@ void add_distinct(const std::vector<Pose>& poses, const Points& vertices, double
   }
 }
 
-/// How many poses are kept: near ones, which differ by a little, and beside them places where the organ may
-/// be instead. A cloud that fits one place well fills any list with its neighbours.
+/// How many poses are kept: the best ones, and after them some far from all others. Without the latter, a
+/// cloud that fits one place well would fill the list with that place's neighbours.
 struct Kept {
   double apart;        ///< m
   std::size_t near;    ///< of these, the best first

@@ -19,21 +19,21 @@ namespace {
 
 /// Squared standardised distance at which Cauchy's weight is a half: five standard deviations.
 constexpr double kTolerance = 25.0;
-/// Of a cloud that comes without normals those of its neighbours' planes are good enough to say that no face
-/// was seen from behind, no more.
+/// Least cosine between a model's normal and a cloud's where the cloud came without normals. Normals
+/// estimated from neighbours are only good enough to tell front from back, so it is zero.
 constexpr double kFacing = 0.0;
 constexpr double kLargestTurn = 0.3;  // rad an iteration
 /// The fit is at rest when a step changes less: amplitudes (standard deviations); pose (metres, and radians
 /// times 0.1 m).
 constexpr double kRestAmplitude = 2e-3, kRestPose = 2e-5;
 constexpr int kFewestIterations = 10;
-/// It is at rest, too, when the cost has not fallen for so many iterations by what changes no odds: points
-/// that go to and fro between two faces never let the steps become small.
+/// It is at rest, too, when the cost has not fallen by kLessCost, which changes no odds, for kPatience
+/// iterations: where points go to and fro between two faces the steps never become small.
 constexpr int kPatience = 25;
 constexpr double kLessCost = 0.1;
-/// After so many iterations those go on that may still be the best, or one of its rivals. Fits whose cost is
-/// more than 100 over the best's are no other place (ShapeFits::places); those that end are by far more over
-/// it, and over twice as much in all, for where no fit is good all may still change.
+/// After kFirstIterations fits that are hopeless end: their cost is more than kFarBehind above the best one's
+/// and more than twice as large. The limit is wide (ShapeFits::places() takes fits up to 100 above the best),
+/// and the factor of two keeps all of them where none is good yet.
 constexpr int kFirstIterations = 20;
 constexpr double kFarBehind = 500.0;
 
@@ -105,8 +105,8 @@ class ShapeFitter {
     pairs_ = find_pairs(cloud_, surface_, pairing_, pairs_);
   }
 
-  /// From here on no point is laid on a face that looks away from the camera. While the shape is sought it
-  /// may be: the way to a dent leads through there.
+  /// From here on no point is paired with a face that looks away from the camera. Before, while the shape is
+  /// sought, such pairs are allowed: a shape becomes dented only by way of them.
   void judge_facing() {
     if (cloud_.cloud.normals.rows() > 0) return;
     cloud_.cloud.normals = estimate_normals(cloud_);
@@ -147,7 +147,7 @@ class ShapeFitter {
       else
         sum += share(pair) * kTolerance *
                (std::log1p(square(pair) / (share(pair) * kTolerance)) + (pair.kept ? 0.0 : 1.0));
-      // Three axes: of the density's norm, which differs from place to place along a margin that is unsure.
+      // The norm of the density, over three axes: the deviation differs from place to place of the margin.
       if (pair.feature == Feature::anterior_margin && pair.deviation > options_.sigma_margin)
         sum += share(pair) * 6.0 * std::log(pair.deviation / options_.sigma_margin);
     }
@@ -166,7 +166,7 @@ class ShapeFitter {
     row.segment<3>(modes + 3) = direction.transpose();
     const int look = cloud_.cloud.look(pair.point);
     if (look == 0) return;
-    // The gap closes as well where the look goes the other way.
+    // A look's own motion counts against the model's: moving the cloud back closes the gap, too.
     row.segment<3>(modes + 6L * look) = direction.cross(p + pair.gap).transpose();
     row.segment<3>(modes + 6L * look + 3) = -direction.transpose();
   }

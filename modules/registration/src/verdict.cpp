@@ -13,14 +13,14 @@ namespace {
 /// a quarter of a pixel), m.
 constexpr double kUsualNoise = 1.2e-3;
 // The limits below are those of EVIDENCE.md: chosen on development patients handled as no prior knows.
-/// Logarithm of the odds against the mirror image. They come from points whose errors hang together: those of
-/// poses that were 20 mm off and more reached 5.6.
+/// Logarithm of the odds against the mirror image. Above kSureOdds is sure: the points' errors depend on each
+/// other, and poses that were 20 mm off and more still reached 5.6.
 constexpr double kSureOdds = 10.0, kEvenOdds = 0.0;
 constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes
 constexpr double kTurned = 0.15;        ///< share of the points
 constexpr double kMarginOff = 8e-3;     ///< m
-/// Probability of being more than 20 mm off, or of looks at an organ that has changed in between: one in a
-/// hundred is told, one in twenty is too much to go on.
+/// Probability that the organ is more than 20 mm off, or that it changed between looks. From one in a hundred
+/// on it is a doubt, from one in twenty on the registration is refused.
 constexpr double kElsewhereDoubt = 0.01, kElsewhere = 0.05;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 

@@ -90,6 +90,7 @@ struct ContactForce {
   double deviation = 0.0;                           ///< of each component, posterior, likewise
 };
 
+/// The fit under the most probable law, with what the other laws say of it.
 struct ContactForceFit {
   CameraFromCt camera_from_ct;
   Points nodes_in_camera;

@@ -13,7 +13,7 @@
 namespace glisson::registration {
 
 /// What the evidence needs of A, Sigma and y, whatever the number of observations. Columns: first the
-/// groups', then those of fixed variance.
+/// groups', then those of fixed variance. Evidences here are natural logarithms, in nats.
 struct EvidenceProblem {
   Eigen::MatrixXd normal;     ///< A^T Sigma^-1 A, n x n
   Eigen::VectorXd projected;  ///< A^T Sigma^-1 y, n
@@ -53,14 +53,14 @@ EvidencePosterior posterior(const EvidenceProblem& problem, const Eigen::VectorX
 Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorXd group_variance, int updates,
                                   double gone = 1e-9, const RunContext& context = {});
 
-/// Groups that do not earn their price are given zero, the one that loses least first, and the others'
-/// variances raised again. What a group adds to the log evidence is the ratio of its amplitudes' densities at
-/// zero, after and before the observations (Dickey 1971).
-/// Cancelled: as it is by then.
+/// Gives zero to groups that add less than `price` to the log evidence, the one that adds least first, and
+/// raises the others' variances again after each. What a group adds follows from the densities of its
+/// amplitudes at zero, before over after the observations (Dickey 1971). Cancelled: as it is by then.
+/// @param price nats.
 Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd group_variance, double price,
                            const RunContext& context = {});
 
-/// What each group adds to the log evidence; 0 where its variance is.
+/// What each group adds to the log evidence, nats; 0 where its variance is.
 Eigen::VectorXd evidence_of_groups(const EvidenceProblem& problem, const Eigen::VectorXd& group_variance);
 
 }  // namespace glisson::registration

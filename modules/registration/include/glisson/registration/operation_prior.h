@@ -23,6 +23,7 @@ namespace glisson::registration {
 /// a node that they cause, rms, and how far one spreads, m.
 inline constexpr double kUnforeseenMotion = 4e-3, kUnforeseenSpread = 35e-3;
 
+/// Which operations are simulated: how many, with what loads, on what tissue.
 struct OperationOptions {
   int operations = 160;  ///< simulated
   int modes = 60;        ///< principal components kept, at most

@@ -12,6 +12,7 @@ namespace glisson::registration {
 
 /// A cloud made ready for pairing: what depends on the cloud alone, computed once.
 struct PreparedCloud {
+  /// Thinned. All is in the left camera's frame, normals too; these are as given, and may be none.
   LabelledCloud cloud;
   /// What a point stands for: the share of the reference density's point on the surface (A_i / A_ref), of a
   /// reference spacing along the margin, of the notch. No unit; a cloud twice as dense has half the weights.
@@ -36,6 +37,7 @@ struct CloudOptions {
 PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options);
 
 /// Unit normals from the neighbours' plane (principal components), turned towards the camera that saw them.
+/// One row a point of the prepared cloud, in its frame.
 PointsIn<CameraFrame> estimate_normals(const PreparedCloud& cloud);
 
 /// A point of the cloud and where on the model it is thought to be.

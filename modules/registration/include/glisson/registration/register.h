@@ -72,13 +72,13 @@ struct ElasticOptions {
   int plateau_window = 4;
   std::vector<int> fixed_nodes;  ///< stay where the rigid start puts them
   fem::CompositeOptions materials;
-  /// What operations do to this patient's liver; null: the paper's method, elasticity alone. With it the pose
-  /// and the shape are fitted first (fit_shape), and the elastic stages start in that shape, in which the
-  /// loads that brought the organ there hold it.
+  /// What operations do to this patient's liver. Null: the paper's method, elasticity alone. With a prior,
+  /// pose and shape are fitted first (fit_shape), and the elastic stages start from that shape as one that is
+  /// free of stress: the loads that made it go on holding it.
   std::shared_ptr<const OperationPrior> prior;
   ShapeFitOptions shape;
-  /// With a prior: poses from which the shape is fitted too; the most probable shape of all is taken. A rigid
-  /// fit of a bent organ may well rank the wrong pose first.
+  /// With a prior: further poses from which the shape is fitted. The most probable shape of all is taken,
+  /// because a rigid fit of a bent organ may rank a wrong pose first.
   std::vector<CameraFromCt> other_starts;
   /// @throws InputError naming the option.
   void validate() const;
@@ -101,9 +101,9 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context);
 
-/// The tetrahedra of a model, and the vessels bound to them, where the nodes are (any one frame): an organ
-/// that is free of stress in that shape, because the loads that brought it there go on holding it. Nodal
-/// forces that held it would not turn with it, and tip it over.
+/// A model whose rest shape is `nodes`: its tetrahedra, and the vessels bound to them. It stands for an organ
+/// that is held there by the loads that brought it there. Constant nodal forces could hold it as well, but
+/// would not turn with it and would tip it over. @param nodes N x 3, metres, any one frame.
 PatientModel moved_to(const PatientModel& model, const Points& nodes);
 
 /// Eq. 15. @param n plateau index. @pre r > 0, n >= 0.

@@ -26,12 +26,14 @@ struct OtherFit {
   /// `information` says.
   double log_odds = 0.0;
 };
-/// For how many votes the points of one place (25 mm) are counted by odds of this information. The model's
-/// own error (segmentation, law, supports) is one and the same all over such a place, so that it has one.
+/// By how much the log odds of two fits are to be divided. They count the points of each place of 25 mm as
+/// this many independent ones; but the model's own error (segmentation, law, supports) is the same all over
+/// such a place, so it should count as one. At least 1.
+/// @param information of a point, as ShapeFitOptions::information.
 double votes_of_a_place(double information);
 /// Each place where a fit has ended, kRivalAway and more from `chosen` and from all better ones, with the
-/// probability that the organ is there; the most probable first. @param votes that a place has been given;
-/// odds are taken to the power of one over it.
+/// probability that the organ is there; the most probable first.
+/// @param votes log odds are divided by it, see votes_of_a_place().
 std::vector<RegistrationRival> weigh_places(const PointsIn<CameraFrame>& chosen, std::vector<OtherFit> fits,
                                             double votes);
 /// Probability that the organ is more than 20 mm away from where it was put.
@@ -42,10 +44,10 @@ std::vector<RegistrationRival> plausible_rivals(std::vector<RegistrationRival> p
 /// Mean distance of the nodes from where the registration has put them, metres.
 double distance_of(const RegistrationRival& rival, const Registration& registration);
 
-/// A registration with one of its rivals in its place: the former place becomes a rival, forces are not known
-/// there, nor what a look would tell, and the doubt rival_chosen (the probability in percent) says so. What
-/// was refused stays refused; the new place is not examined. What is expected of errors stays: a person's
-/// word is taken to exchange the odds of the two places, so that the one is as sure now as the other was.
+/// Puts one of a registration's rivals in its place; the former place becomes a rival. Forces and further
+/// looks are dropped: at the new place they are not known. The doubt rival_chosen tells the probability that
+/// the rival had, in percent. The new place is not examined: a refusal stays. Expected errors stay, too: a
+/// person's choice exchanges the odds of the two places, so the new one is as sure as the former was.
 /// @param which of registration.rivals. @throws InputError there is none of this number.
 Registration choose_rival(const Registration& registration, std::size_t which, const PatientModel& model,
                           const LabelledCloud& cloud);
