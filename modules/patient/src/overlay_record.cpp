@@ -33,8 +33,8 @@ json rows_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// What an overlay was judged by: each field's name, its unit a metre where it is a length, and whether it is
-/// not known where it is negative.
+/// A field of Evidence in the file: its name, the factor on the value, and whether a negative value means
+/// "not known" (then it is left out).
 struct EvidenceField {
   const char* name;
   double Evidence::*value;

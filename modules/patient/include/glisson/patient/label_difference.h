@@ -17,6 +17,7 @@ struct LabelShift {
   bool operator==(const LabelShift&) const = default;
 };
 
+/// How two label volumes differ, and what of a hand's corrections that would undo. Counts are voxels.
 struct LabelDifference {
   std::map<Label, LabelShift> labels;  ///< those that change; the background is not among them
   long voxels_changed = 0;             ///< each voxel once

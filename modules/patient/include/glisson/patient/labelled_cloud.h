@@ -47,10 +47,11 @@ LabelledCloud read_cloud(const std::filesystem::path& path, LengthUnit unit = Le
 void write_cloud(const std::filesystem::path& path, const LabelledCloud& cloud,
                  LengthUnit unit = LengthUnit::millimetre);
 
-/// A cloud shows some of a liver: from a few millimetres of it to all.
-/// @param unit, name that it was read in and from, for the message.
-/// @throws InputError half of its points lie within less than a millimetre (of ten points and more) or more
-///   than 0.3 m of its middle; says in which unit to read it instead.
+/// Refuses a cloud that was read in a wrong unit: what it shows is between a few millimetres of a liver and
+/// all of it. The radius around its middle that holds half of the points must be 0.3 m at most and, with ten
+/// points and more, 1 mm at least. An empty cloud passes.
+/// @param unit in which it was read. @param name of its source, for the message.
+/// @throws InputError it is not; says in which unit to read it instead, if one fits.
 void require_liver_sized(const LabelledCloud& cloud, LengthUnit unit, const std::string& name);
 
 }  // namespace glisson

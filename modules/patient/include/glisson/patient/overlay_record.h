@@ -51,6 +51,7 @@ struct AgainLine {
 /// For people and programs that look on; what reads the film again leaves it out. Without a newline.
 std::string again_line(const AgainLine& line);
 
+/// What a frames.jsonl holds, in the file's order.
 struct OverlayRecord {
   std::vector<OverlayLine> frames;
   bool complete = false;  ///< false: the track was cut short, or the file was

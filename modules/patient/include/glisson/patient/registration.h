@@ -38,6 +38,7 @@ struct LesionLooks {
 
 /// Symmetric matrices, a row each: xx, yy, zz, xy, yz, xz (VTK's order).
 using SymmetricRows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+/// Only the upper triangle is read; whether the matrix is symmetric is not checked.
 Eigen::Matrix<double, 1, 6> symmetric_row(const Eigen::Matrix3d& matrix);
 Eigen::Matrix3d symmetric_matrix(const Eigen::Matrix<double, 1, 6>& row);
 
@@ -129,6 +130,8 @@ inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::picture_lost};
 const char* validity_code(Validity validity);
 
+/// What may be drawn: all (`valid`), the outline and the lesions' regions (`degraded`: partly_covered,
+/// poor_picture, picture_still, proposed, mostly_masked) or nothing (`withdrawn`: all others).
 Level level_of(Validity validity);
 /// Whether tissue of the organ was followed into the frame, whatever evidence says of where the organ is.
 bool is_followed(Validity validity);
