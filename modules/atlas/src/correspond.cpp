@@ -31,8 +31,9 @@ constexpr double kPoseSigma2 = 0.02, kModeSigma2 = 0.01;
 constexpr int kPosePasses = 25, kModePasses = 30;
 constexpr double kWidth = 0.5, kStiffness = 1.5;  // of the smooth drift: 35 mm on a liver
 constexpr int kDriftPasses = 45;
-/// Another orientation must leave less than this of the misfit: half a liver, as it stands, has more of its
-/// misfit in common with a turned one than a whole liver that lies otherwise has.
+/// Another orientation is taken only if its misfit is below this share of the misfit as the liver stands. A
+/// whole liver that lies otherwise gains more than that by turning; a mere half of one that lies right gains
+/// less, and must not be turned.
 constexpr double kUpright = 0.75;
 
 /// The 24 rotations of a cube, none first.

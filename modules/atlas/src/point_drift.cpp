@@ -100,7 +100,8 @@ Pull expect(const Oriented& moving, const Oriented& fixed, double sigma2) {
   return pull;
 }
 
-/// Six arms that point as `held` says hold the orientation.
+/// The similarity that fits the pull while its rotation is held near `held`: six more pairs of points, on
+/// arms along the axes, are fitted along with weight kHeld of the whole.
 Similarity upright_similarity(const Points& moving, const Pull& pull, const Eigen::Matrix3d& held) {
   const Similarity free = fit_similarity(moving, pull.target, pull.weight);
   const double total = pull.weight.sum();
@@ -125,8 +126,9 @@ Oriented moved(const Oriented& shape, const Similarity& by) {
   return {by.apply(shape.points), shape.normals * by.rotation.transpose(), shape.bends, shape.weights};
 }
 
-/// Mean of the roots of squared distance, of what the normals differ and of what the bends differ, to the
-/// point that is closest so, both ways.
+/// Mean distance to the closest point of the other shape, both ways averaged. The squared distance of two
+/// points is that of their places, plus kNormalMisfit (1 - cosine of the normals), plus kBendMisfit times
+/// that of the bends.
 double misfit(const Oriented& a, const Oriented& b) {
   Eigen::MatrixXd d = squared_distances(a.points, b.points);
   d.array() += kNormalMisfit * (1.0 - (a.normals * b.normals.transpose()).array());

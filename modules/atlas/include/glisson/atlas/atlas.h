@@ -40,6 +40,7 @@ struct StructureStatistics {
   Eigen::VectorXd share;
 };
 
+/// A liver that the atlas was built from, as far as the atlas remembers it.
 struct AtlasMember {
   std::string name;
   double weight = 1.0;         ///< below 1: it differs from the others
@@ -86,13 +87,14 @@ struct LeftOutStructure {
   double deviation = 0.0;      ///< metres, that was foretold (root of the mean trace)
   double area_largest = 0.0;   ///< areas: Hausdorff distance between both contacts, metres
 };
+/// A member met as a patient would be: laid on by the mean and modes of all the others.
 struct LeftOut {
   std::string name;
   double mean_distance = 0.0, max_distance = 0.0;  ///< metres, between the surfaces
-  double turned_deg = 0.0;
-  double misfit = 0.0, mirrored_misfit = 0.0;  ///< see Correspondence
+  double turned_deg = 0.0;                         ///< see Correspondence; so are the next two lines
+  double misfit = 0.0, mirrored_misfit = 0.0;
   int folded = 0;
-  double unusual = 0.0;
+  double unusual = 0.0;  ///< as AtlasMember::unusual
   std::vector<std::string> doubts;
   std::map<Structure, LeftOutStructure> structures;
 };
@@ -118,6 +120,7 @@ struct BuildResult {
 /// that had no part in its prediction (mean and worst, mm; share of points in their 95 % ellipsoids).
 Figures figures_of(const BuildResult& built);
 
+/// How an atlas is built.
 struct BuildOptions {
   std::string name = "atlas";
   double share = 0.9;                                 ///< of the variance that the modes explain

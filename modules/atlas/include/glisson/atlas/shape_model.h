@@ -18,7 +18,9 @@ struct Similarity {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< metres
 
+  /// Every row of an N x 3 array, metres.
   Points apply(const Points& points) const;
+  /// @pre the scale is not zero.
   Similarity inverse() const;
 };
 /// The similarity that carries `source` onto `target` best in the weighted least-squares sense: R = V U^T of
@@ -29,6 +31,7 @@ Similarity fit_similarity(const Points& source, const Points& target, const Eige
 /// Root of the mean squared distance from the centre of the points, metres.
 double size_of(const Points& points);
 
+/// Shapes aligned with their mean, and the mean.
 struct Procrustes {
   Points mean;                               ///< metres
   std::vector<Similarity> mean_from_member;  ///< one a member

@@ -25,6 +25,7 @@ inline constexpr std::array<Structure, 6> kStructures = {
 int point_count(Structure structure);
 /// For files and figures: "umbilical_notch", ... Not translated.
 const char* structure_code(Structure structure);
+/// Of a structure_code(). Empty: no structure has this code.
 std::optional<Structure> structure_of(const std::string& code);
 
 }  // namespace glisson::atlas
