@@ -12,14 +12,16 @@
 
 namespace glisson::network {
 
+/// What is not left to the network.
 struct LabelOptions {
   /// Labels that neither lose nor gain a voxel.
   std::vector<Label> locked;
 };
+/// A CT's labels by a network.
 struct NetworkLabels {
-  LabelMap labels;
-  long tiles = 0;
-  std::vector<std::string> notes;
+  LabelMap labels;                 ///< on the image's grid
+  long tiles = 0;                  ///< that the network was run on
+  std::vector<std::string> notes;  ///< codes with values: "network.small_lesions 3"
 };
 
 /// Labels a CT by a person's own segmentation network (ONNX): in overlapping tiles, slices or blocks, whose

@@ -22,8 +22,8 @@ struct MaskSheet {
   std::vector<std::string> channels;
   /// "liver": those of them that may be liver; all others are not. One entry a channel.
   std::vector<char> is_liver;
-  /// "threshold": a pixel is not liver where a channel that is not exceeds it, or where there are channels
-  /// that are and none does. Without it the channel with the highest score wins.
+  /// "threshold": a pixel is not liver if a channel of something else scores above it, or if no liver channel
+  /// does (where there is any). Empty: the channel with the highest score decides.
   std::optional<double> threshold;
   /// "oldest_seconds": a mask of a picture that is older is not used.
   double oldest_seconds = 0.5;
