@@ -75,8 +75,8 @@ void take_liver(const LabelMap& kept, const Field& ct, Bodies& bodies) {
   bodies.parenchyma = tissue_in(ct, parenchyma);
 }
 
-/// What lies within kHeld of a click belongs to its side; of two clicks the nearer one's. A click inside
-/// whose surroundings do not touch the liver would make an island: it is left out (and told, see segment()).
+/// Gives what lies within kHeld of a click to its side; between two clicks the nearer one decides. A click
+/// inside whose ball does not touch the liver would make an island: it is left out, and segment() notes it.
 void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
   const auto places = [&](const Points& points) {
     std::vector<Eigen::Vector3d> found;

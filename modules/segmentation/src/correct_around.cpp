@@ -122,8 +122,8 @@ Scene scene_of(const Image& image, const LabelMap& all_labels, const Seeds& seed
   return scene;
 }
 
-/// What is like the click, or like its side of the border, against what lies on the other side: there the
-/// farther from the click the more, since near it much of that is wrong.
+/// Likelihood ratio of intensities: those at the click and on its side of the border, to those on the other
+/// side. The latter count the more the farther they lie from the click, since near it they are mostly wrong.
 IntensityRatio evidence_of(const Scene& scene) {
   IntensityHistogram own, other;
   double owned = 0.0, clicked = 0.0;
@@ -293,7 +293,7 @@ Cancellable<CorrectedAround> correct_around(const Image& image, const LabelMap& 
     return result;
   }
   if (changed->count() > 0) take_enclosed(scene, *changed);
-  // Also where the coarse voxel around the click is its side's already, what the click is on must become so.
+  // The CT's voxels at the click must change even if the coarse voxel around it is on the right side already.
   changed->voxels[scene.ct.offset(scene.click)] = 1;
   paint(scene, *changed, click, locked, result);
   if (click.is_liver && result.voxels_changed > 0 &&

@@ -66,10 +66,10 @@ double normal(double x, const Tissue& tissue) {
   return std::exp(-0.5 * z * z) / (tissue.sigma * std::sqrt(2.0 * M_PI));
 }
 
-/// Log of how much likelier an intensity is in the lesion than in the liver, from -3 to 3. A lesion is tissue
-/// like that at the click, anything between that and the liver (its border is a mixture of both, and people
-/// draw around it), and anything at all (necrosis, fluid, calcification); a liver its parenchyma, and
-/// brighter vessels.
+/// Logarithm of the likelihood ratio of an intensity, lesion over liver, cut off at -3 and 3. A lesion's
+/// intensities are those at the click, those between them and the liver's (its border is a mixture, and
+/// people draw around it) and, seldom, any (necrosis, fluid, calcification). A liver's are its parenchyma's
+/// and those of brighter vessels.
 class Evidence {
  public:
   static constexpr double kMost = 3.0;
@@ -108,8 +108,8 @@ std::vector<float> evidence_in(const LesionScene& scene, const Evidence& evidenc
   return result;
 }
 
-/// The place within reach of a click that is most unlike the liver, and darker: what is brighter near a click
-/// in nothing special is a vessel. The click where it is unlike the liver already.
+/// The click itself where it is unlike the liver. Else the place within reach that is most unlike it, among
+/// those that are no brighter: a brighter one near such a click is a vessel.
 Eigen::Vector3i most_unlike(const LesionScene& scene, const std::vector<float>& evidence, const Tissue& liver,
                             const Eigen::Vector3i& click, double within_mm) {
   constexpr double kAround = 2.5;  // mm
@@ -131,8 +131,8 @@ Eigen::Vector3i most_unlike(const LesionScene& scene, const std::vector<float>& 
   return best;
 }
 
-/// Tissue between two distances outside a body, over all of its rays: what only few of them meet does not
-/// count. None where few of them end in the liver.
+/// Tissue between two distances outside a body, robustly over all of its rays, so that what few of them meet
+/// does not count. None where few of them end in the liver.
 std::optional<Tissue> tissue_beyond(const LesionScene& scene, const Field& intensities, const Star& star,
                                     double from_mm, double to_mm) {
   std::vector<float> values;
@@ -168,8 +168,8 @@ double rim_mm(const LesionScene& scene, const Star& star, const Tissue& liver) {
   return 0.0;
 }
 
-/// The evidence once more, a rim taken for the lesion's: what is bright there, and the partial volume between
-/// it and the dark core, which looks like liver.
+/// Counts a bright rim for the lesion: its bright voxels, and those between it and the dark core, which look
+/// like liver only because they mix the two.
 void take_rim(const LesionScene& scene, const Star& star, const Tissue& liver, double rim,
               std::vector<float>& evidence) {
   constexpr float kBright = 1.5F;
@@ -212,16 +212,16 @@ Beginning begin(const LesionScene& scene, const LesionClick& click) {
   return begun;
 }
 
-/// Denoising smooths a faint edge most, and the evidence takes what is between lesion and liver for the
-/// lesion's: together they carry the boundary outwards. It is placed in the CT as it came.
+/// Puts the boundary on the edge of the CT before denoising. Denoising blurs faint edges most, and the
+/// evidence counts intensities between lesion and liver for the lesion: both carry the boundary outwards.
 void find_edge(const LesionScene& scene, const Evidence& evidence, Star& star) {
   std::vector<std::uint8_t> may(scene.raw.values.size(), 0);
   for (std::size_t i = 0; i < may.size(); ++i) may[i] = scene.barred.voxels[i] == 0 && is_organ(scene, i);
   move_to_edge({scene.raw, may, evidence}, star);
 }
 
-/// Whether a body ends where the hand that drew its diameter saw it end: not so wide that the hand must have
-/// been wrong, and with something else just beyond than just within.
+/// Whether a body agrees with the diameter that a hand drew: it is not so wide that the hand must have been
+/// wrong, and what lies just outside its boundary differs from what lies just within.
 bool ends_as_drawn(const LesionScene& scene, const Star& star, const Tissue& liver, double diameter_mm) {
   constexpr double kWidest = 0.5 + Star::kDrawnShare;  // of the diameter
   constexpr double kFrom = 1.0, kTo = 4.0;             // mm

@@ -71,10 +71,11 @@ class Front {
   std::size_t current_ = 0;  ///< what lies before it has been taken
 };
 
-/// Rebuilds phi as a distance within the band, keeping its zero, and clamps it beyond. Band voxels that are
-/// not on the volume's edge go to `band`, in memory order. Between two calls only the band may change, and
-/// the front must stay in it: then only what was near the front, or beside it, is looked at again. Either
-/// side of the interface is marched by itself, from the voxels beside it: two threads do it.
+/// Makes phi a signed distance again within the band around its zero, which stays where it is, and clamps it
+/// beyond. Band voxels that are not on the volume's edge go to `band`, in memory order. Each side of the
+/// interface is marched by a thread of its own, from the voxels beside it.
+/// @pre between two calls phi changed only in the band and the front stayed in it: only voxels that were near
+/// the front, or beside those, are looked at again.
 class Rebuilder {
  public:
   explicit Rebuilder(const Field& phi)
@@ -92,8 +93,8 @@ class Rebuilder {
   }
 
   void rebuild(Field& phi, std::vector<std::size_t>& band) {
-    // The first time a front may lie between voxels that are said to be far from it: it is seen the next
-    // time.
+    // The first two times the whole volume: the phi that is given first may clamp voxels as far that the
+    // front touches.
     const bool is_whole = rebuilds_++ < 2;
     start(phi, is_whole);
     for (const std::size_t at : near_) {

@@ -53,13 +53,13 @@ void impose(Field& region, const Scene& scene) {
   for (const Eigen::Vector3i& p : scene.outside) region.values[region.offset(p)] = -1.0F;
 }
 
-/// On a strong edge the region's opinion counts for little: there the contour comes to rest where the edge is
-/// steepest, half way between the two tissues.
+/// Weakens the region force on strong edges, so that the contour comes to rest where the edge is steepest,
+/// half way between the two tissues.
 void quieten_on_edges(Field& region, const Field& edge) {
   for (std::size_t i = 0; i < region.values.size(); ++i) region.values[i] *= edge.values[i];
 }
 
-/// What the contour's inside says against a rim around it.
+/// Likelihood ratio of the intensities inside the contour to those in a rim around it.
 IntensityRatio ratio_of(const Field& ct, const Field& phi, double rim_mm) {
   IntensityHistogram in, out;
   for (std::size_t i = 0; i < ct.values.size(); ++i) {
@@ -70,9 +70,9 @@ IntensityRatio ratio_of(const Field& ct, const Field& phi, double rim_mm) {
   return {in, out};
 }
 
-/// The last region force, from what lies on either side close by (Lankton and Tannenbaum 2008): the contour
-/// comes to rest half way between the liver and its neighbour there, be that fat, muscle or lung. Where both
-/// look alike it has no opinion.
+/// The last region force, from the tissue close by on either side (Lankton and Tannenbaum 2008). With it the
+/// contour comes to rest half way between the liver and whatever lies beside it there, be it fat, muscle or
+/// lung. It is 0 where both sides look alike.
 void local_region(const Field& ct, const Field& phi, Field& region) {
   constexpr float kNear = 1.5F, kFar = 6.0F;  // mm from the contour, where the two sides are sampled
   constexpr double kWindow = 4.0;             // mm
@@ -106,10 +106,11 @@ struct Reach {
   double border_mm = kBorder, wedge_mm = kWedgeLength;
 };
 
-/// Where the last contours must not go. They may leave liver-like tissue only by its partial volume, and from
-/// where the second one came to rest (some 3 mm inside the boundary) go farther than a thick border needs
-/// only into a wedge of its own tissue: too thin to be anything but a margin with fat or gas on both sides.
-/// A stomach or a muscle against the liver is thick together with it, or not its own.
+/// Where the last contours must not go: farther from liver-like tissue than its partial volume reaches, and
+/// farther than reach.border_mm from where the second contour came to rest (some 3 mm inside the boundary).
+/// Only into thin wedges of the liver's own tissue may they go on, up to reach.wedge_mm: something so thin
+/// with fat or gas on both sides is a margin. A stomach or a muscle that touches the liver is thick together
+/// with it, or is not its own.
 Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi, const Reach& reach) {
   Mask found = scene.ct.empty_mask();
   for (std::size_t i = 0; i < found.voxels.size(); ++i) found.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;

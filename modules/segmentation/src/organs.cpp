@@ -124,8 +124,8 @@ double value_in_slice(const Field& ct, int axis, const Eigen::Vector3d& at) {
 }
 
 /// How far the blood reaches from voxel `from` towards `to` in its slice, mm: to where the intensity is half
-/// way down to what lies beside it. That is where its first fall ends: behind a thin wall of liver there may
-/// be fat. 0: it does not fall by `least` there (the mouth of a vein): there is no edge.
+/// way down its first fall. Only the first counts, since behind a thin wall of liver there may be fat. 0:
+/// there is no edge, for it falls by less than `least` (the mouth of a vein).
 double blood_edge(const Field& ct, int axis, const Eigen::Vector3i& from, const Eigen::Vector3i& to,
                   double blood, double least) {
   constexpr int kSamples = 15;     // half a millimetre apart: 2 mm more than the rim
@@ -150,8 +150,8 @@ double blood_edge(const Field& ct, int axis, const Eigen::Vector3i& from, const 
   return 0.5 * n;
 }
 
-/// The cross-section in slice `n` out to the blood's edge: what looks alike ends where the blur of the CT
-/// begins, 2 to 4 mm inside. Left over, that rim looks like a vein of the liver.
+/// The cross-section in slice `n` out to the blood's edge. What looks alike ends 2 to 4 mm inside it, where
+/// the CT's blur begins; without this step the rim that is left would look like a vein of the liver.
 Mask with_rim(const Field& ct, const Mask& section, int axis, int n, double least) {
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
   const auto places_of = [&](const Mask& mask) {

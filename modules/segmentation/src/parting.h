@@ -7,24 +7,27 @@
 
 namespace glisson::segmentation {
 
-/// Thin dark sheets: fat between two organs that lie against each other, a seam that the smoothing that parts
-/// tissues from noise would close.
-/// @param ct not smoothed. @param where is looked at; the rest is 0. @param typical what is found there is
-///   tissue without seams: what 95 % of it stays below is no seam.
+/// Thin dark sheets: seams of fat between two organs that lie against each other. Smoothing against noise
+/// would close them.
+/// @param ct not smoothed. @param where is looked at; the rest is 0. @param typical tissue without seams: a
+///   response that 95 % of it stays below is none.
 Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical);
 
 /// Tissue that falls apart where it narrows.
 struct Sides {
   Mask own;    ///< what belongs to the clicks inside
-  Mask rival;  ///< bodies that do not
+  Mask rival;  ///< other parts that have a click, or are at least 5 mm deep
 };
 
-/// `tissue` falls into parts at its necks: a part is what drains to one greatest depth (Meyer 1994), united
-/// with its neighbour where the neck between them is at least 0.8 times as deep as the shallower of them,
-/// unless one has a click inside and the other one outside. The parts with a click inside own every part that
-/// they (and what they own) share a face with that is wide for its volume: 0.7 of a half ball's. The left
-/// lobe hangs on the right one so, a pancreas or a heart does not.
-/// Parts that hold both kinds of clicks, because no neck lies between them, are the inside's.
+/// Cuts `tissue` into parts at its necks and says which are the inside clicks'. Depth is the distance to what
+/// is not tissue.
+/// 1. A part is what drains to one place of greatest depth (Meyer 1994).
+/// 2. Two neighbours become one part where the neck between them is at least 0.8 times as deep as the
+/// shallower
+///    of them, unless one has a click inside and the other one outside.
+/// 3. Parts with a click inside are owned, also if they hold one outside. So is every part without a click
+///    whose face with owned parts is wide for its volume: 0.7 times the flat face of a half ball. The left
+///    lobe hangs on the right one so; a pancreas or a heart does not.
 Cancellable<Sides> part_at_necks(const Field& ct, const Mask& tissue, const LiverSeeds& seeds,
                                  const RunContext& context);
 

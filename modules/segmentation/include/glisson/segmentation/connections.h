@@ -11,6 +11,7 @@ struct Connections {
   int found = 0;  ///< of them, those that the second has
 };
 
+/// Which ends of a tree count, and when a way to one counts as found.
 struct ConnectionOptions {
   double least_branch_mm = 10.0;  ///< a tip ends a branch at least so long
   double reach_mm = 3.0;          ///< from the middle of a cross-section to a voxel of the second

@@ -23,6 +23,7 @@ struct Click {
 /// The clicks for and against the liver that `after` has and `before` has not, in their order.
 std::vector<Click> clicks_added(const Seeds& before, const Seeds& after);
 
+/// The labels after a click, and how far it reached.
 struct CorrectedAround {
   LabelMap labels;
   double reach_mm = 0.0;  ///< how far from the click the farthest voxel lies that has changed

@@ -34,7 +34,10 @@ struct Seeds {
 /// @throws InputError naming `file`, the field and the remedy when a diameter is out of range, or of no
 /// lesion.
 void check_diameters(const std::string& file, const Seeds& seeds);
+/// The file as Seeds shows it; structures that it leaves out have no seeds. Points come back in metres.
+/// @throws FileError missing; InputError naming file and field: malformed, an unknown key, a diameter.
 Seeds read_seeds(const std::filesystem::path& path);
+/// Millimetres, LPS; structures without seeds as empty lists. Atomic. @throws FileError.
 void write_seeds(const std::filesystem::path& path, const Seeds& seeds);
 
 /// What is found anew. A structure that is not, or that has no seeds, stays as the labels given to segment()
@@ -77,11 +80,13 @@ struct SegmentationOptions {
   void validate() const;
 };
 
+/// Volumes, and what a person should look at. The liver's is with vessels and lesions in it.
 struct SegmentationReport {
   double liver_ml = 0.0, portal_ml = 0.0, hepatic_ml = 0.0;
-  std::vector<double> lesion_ml;
-  std::vector<std::string> notes;
+  std::vector<double> lesion_ml;   ///< one for each list of Seeds::lesions
+  std::vector<std::string> notes;  ///< codes with values: "liver.small", "lesion_2.not_found", ...
 };
+/// The labels of the whole image, and their report.
 struct Segmented {
   LabelMap labels;
   SegmentationReport report;
