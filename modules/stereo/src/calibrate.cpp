@@ -117,8 +117,8 @@ class Mean {
   double sum_ = 0.0, weight_ = 0.0;
 };
 
-/// Proposes views for removal that fit far worse than the others; a few tenths of a pixel are the corners'
-/// noise and never enough.
+/// Proposes for removal the views that fit far worse than the others. A few tenths of a pixel never count:
+/// that is the corners' noise.
 void propose(std::vector<ViewReport>& views) {
   constexpr double kDeviations = 5.0, kNoise = 0.2;
   std::vector<double> errors;
@@ -175,8 +175,8 @@ Eigen::Vector3d report_pose(ViewReport& report, const Board& board, const BoardV
   return r.col(2).dot(middle) > 0.0 ? Eigen::Vector3d(-r.col(2)) : Eigen::Vector3d(r.col(2));
 }
 
-/// rms of a view's corners in both pictures by a calibration that may not have seen it: the board where the
-/// left picture puts it.
+/// rms of a view's corners in both pictures by a calibration that may not have used it. The board's pose is
+/// found in the left picture alone.
 double view_rms(const Board& board, const BoardView& view, const StereoRig& rig) {
   BoardPoints points;
   points.add(board, view);
@@ -299,8 +299,9 @@ std::optional<std::vector<Without>> leave_each_out(const BoardViews& views, cons
   return without;
 }
 
-/// The view without which all others fit far better, and which then fits far worse than they: among few views
-/// a wrong one bends the cameras until its error is spread over all.
+/// Proposes for removal the view without which all others fit far better and which itself then fits far worse
+/// than they. Its own rms would not show it: among few views a wrong one bends the cameras until its error is
+/// spread over all.
 void propose_by_others(std::vector<ViewReport>& views, const std::vector<Without>& without) {
   constexpr double kBetter = 0.75, kWorse = 3.0, kNoise = 0.2;
   std::vector<double> rests;

@@ -35,8 +35,8 @@ std::unique_ptr<FeatureDetector> feature_detector(Features kind);
 /// dlib's SURF (Bay 2008), in a file of its own.
 std::unique_ptr<FeatureDetector> surf_detector();
 
-/// Which of the keypoints (their descriptors yet unknown) to keep: every cell of a grid gives its best before
-/// any gives its second, so that strong texture in one place does not leave the rest bare.
+/// Which keypoints to keep, before their descriptors are computed: every cell of a grid gives its best before
+/// any gives its second, so that strong texture in one place does not take all.
 /// @param reach of a descriptor from its centre, in units of the scale: what does not fit into the picture is
 ///   left out.
 /// @return indices.

@@ -66,7 +66,8 @@ void OpenCvText::add(const std::string& key, Value value) {
   if (!values_.emplace(key, std::move(value)).second) throw InputError(name_, key, "stands twice", kRemedy);
 }
 
-/// An entry begins at a line's first column; what is indented, or in brackets that are open, belongs to it.
+/// Splits a text into entries. Each begins in a line's first column; lines that are indented or within open
+/// brackets belong to the one before.
 void OpenCvText::read_yaml(std::string_view content) {
   std::string key, field;
   Value value;

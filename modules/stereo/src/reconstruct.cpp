@@ -131,8 +131,8 @@ std::vector<Match> match_features(const Pair& pair, const ReconstructOptions& op
              match(rectify(rectification, Side::left, std::move(in_right), length),
                    rectify(rectification, Side::right, std::move(in_left), length), pair.limits),
              pair.limits);
-  // By the sign of the depths; where the cameras look across each other and both signs are possible, by rows
-  // that agree far better.
+  // Swapped views show depths of the wrong sign. Where converging cameras make both signs possible, rows that
+  // agree far better the other way round decide.
   const bool by_sign = swapped.plausible > fit.plausible + fit.plausible / 2;
   const bool by_rows = swapped.plausible > fit.plausible / 5 * 4 && swapped.rows < 0.5 * fit.rows;
   if (swapped.plausible >= 20 && (by_sign || by_rows))
@@ -309,7 +309,7 @@ Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candida
     cloud.normals.row(i) = p.normal.transpose();
     cloud.sigma.push_back(p.sigma * rectification.depth_per_pixel(c.match.left, p.disparity));
     cloud.features.push_back(Feature::surface);
-    // The left end is where the match was asked for; what the rows disagree by, halved, is all it may be off.
+    // The left end is exact, being where the match was asked for, but for half of what the rows disagree by.
     result.covariance.push_back(rectification.covariance(c.match.left,
                                                          rectification.disparity(c.match.left, c.match.right),
                                                          0.0, 0.5 * row_sigma, scale * c.match.sigma));

@@ -36,7 +36,8 @@ Cancellable<Whole> whole_of(const PairInput& input, const ReconstructOptions& op
   return std::make_shared<const Reconstructed>(std::move(*made));
 }
 
-/// As asked for. Where the pair itself is at fault, that is the better answer.
+/// Reconstructs as asked for. If that fails and the pair itself has a fault, the fault is thrown instead: it
+/// says more.
 Cancellable<Whole> asked_whole(const PairInput& input, const ReconstructOptions& options,
                                const KnownPoints& known, Look& look, const RunContext& context) {
   try {

@@ -47,8 +47,8 @@ class Rectification {
   /// Towards the camera, unit, left camera's frame, where the disparity changes by `slope` a pixel: a plane
   /// a X + b Y + c Z = f B has the disparity (a x + b y) / f + c. Facing the camera where that is no surface.
   Eigen::Vector3d normal(const Eigen::Vector2d& left, double disparity, const Eigen::Vector2d& slope) const;
-  /// Standard deviation of the disparity's second-order coefficients, 1 / pixel, before anything is seen: a
-  /// liver's edge has a radius of some 5 mm.
+  /// Prior standard deviation of the disparity's second-order coefficients, 1 / pixel, from the most curved
+  /// surface that is expected: a liver's edge, with a radius of some 5 mm.
   double bend_prior() const { return baseline_ / (2.0 * focal_ * 5e-3); }
 
   double focal() const { return focal_; }

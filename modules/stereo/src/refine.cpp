@@ -26,8 +26,8 @@ constexpr double kLeastNoise = 0.3;        // grey levels: what eight bits leave
 constexpr double kLeastCorrelation = 0.7;  // of the patches
 constexpr double kSigmaFloor = 0.01;       // pixels: interpolation
 constexpr double kBlur = 0.7;              // pixels: removes what would be interpolated badly
-/// Neighbouring residuals are correlated like white noise blurred by so many pixels (by the blur above, the
-/// warp and the sampling of the patch).
+/// Pixels. Neighbouring residuals are correlated as white noise is after a blur of this width: the blur
+/// above, the warp and the sampling of the patch together.
 constexpr double kAlike = 1.0;
 constexpr double kTukey = 4.7;  // of the residuals' deviation; beyond it is a highlight, no tissue
 
@@ -172,8 +172,8 @@ std::optional<double> Refiner::iterate(const Patch& patch, State& s) const {
   return step[kDisparity];
 }
 
-/// Of the disparity, pixels: each pixel's influence on it, times the noise that the residuals show; and what
-/// the priors leave open.
+/// Standard deviation of the disparity, pixels: each pixel's influence on it times the noise that the
+/// residuals show, plus what the priors leave open.
 double Refiner::sigma(const Patch& patch, const State& s) const {
   const Vector first = s.factor.solve(Vector::Unit(kDisparity));
   const int room = static_cast<int>(std::ceil(4.0 * kAlike)), side = 2 * (half_width_ + room) + 1;

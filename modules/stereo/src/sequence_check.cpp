@@ -26,10 +26,10 @@ bool without_content(const cv::Mat& view) {
   return (mean[0] < kDark && brightest < kBrightest) || deviation[0] < kFlat;
 }
 
-/// Whether two views are one picture, coded twice: they differ by less than a shift by a quarter of a
-/// thumbnail's pixel would make. That is 1/384 of the width, where 4 mm of baseline give 1/50 of it and more
-/// at 20 cm, and converging cameras 1/60 between 8 and 12 cm. The level is what coarse coding leaves (mp4v at
-/// one bit a pixel: 0.75 grey levels).
+/// Whether two views are one picture, coded twice: they differ by less than a shift of a quarter of a
+/// thumbnail's pixel would make, 1/384 of the width, and by less than coarse coding leaves (mp4v at one bit a
+/// pixel: 0.75 grey levels). Two cameras differ more: a baseline of 4 mm shifts by 1/50 of the width and more
+/// up to 20 cm, converging cameras by 1/60 between 8 and 12 cm.
 bool same_view(const cv::Mat& left, const cv::Mat& right) {
   constexpr double kShift = 0.25, kCodingNoise = 1.0;
   const double a_pixel = difference(left.colRange(1, left.cols), left.colRange(0, left.cols - 1));
@@ -37,10 +37,10 @@ bool same_view(const cv::Mat& left, const cv::Mat& right) {
 }
 
 /// Tells from the changes of one view, frame to frame, whether it stands still. Noise and motion change every
-/// frame; a codec swallows part of that, and adds changes of its own to a picture that came twice. A view
-/// stands when it changes far less than in the quietest of its last few frames, and less than coded noise
-/// does. (The quietest and not the median: tissue and camera come to rest within some frames, and key frames
-/// change everything.) Where the codec swallows nearly all change, nothing can be said.
+/// frame. A codec swallows part of that, and changes even a picture that came twice. So a view stands when it
+/// changes far less than in the quietest of its last few frames and less than coded noise. The median of
+/// those would not do: tissue and camera come to rest within some frames, and key frames change everything.
+/// Where the codec swallows nearly all change, nothing is said.
 class ViewMotion {
  public:
   static constexpr double kStill = 0.3;
@@ -55,7 +55,8 @@ class ViewMotion {
       pending_.clear();
       return true;
     }
-    // A key frame codes a standing picture anew and the next ones mend that: no motion, unless it goes on.
+    // A key frame codes a standing picture anew, and the frames after it mend that. Such changes are motion
+    // only if they go on.
     if (run_ < kFreeze) run_ = 0;
     const std::size_t doubtful = run_ >= kFreeze ? kMending : change < kDoubtful * quietest() ? 1 : 0;
     pending_.push_back(change);
@@ -66,7 +67,7 @@ class ViewMotion {
     while (changes_.size() > kRemembered) changes_.pop_front();
     return false;
   }
-  /// Surely in motion: it does not stand, nor may it be standing and coded anew.
+  /// Surely in motion: it does not stand, and its changes are not those of a key frame either.
   bool moves() const { return run_ == 0; }
 
  private:
@@ -131,8 +132,8 @@ struct SequenceCheck::Impl {
   double seconds = 0.0;       ///< its time
   ViewMotion left_motion, right_motion;
 
-  /// Whether the last two frames came in the wrong order: the last lies between the two before it, and the
-  /// new frame goes on from the last but one.
+  /// Whether the last two frames came in the wrong order: the last one fits between the two before it, and
+  /// the new frame continues the last but one.
   bool exchanged(const Seen& now) const {
     if (seen.size() < 3) return false;
     const Seen &a = seen[0], &b = seen[1], &c = seen[2];
@@ -140,8 +141,8 @@ struct SequenceCheck::Impl {
     return ac < 0.8 * ab && bn < 0.8 * cn && ab > 2.0 * kMoves && cn > 2.0 * kMoves;
   }
 
-  /// Whether each view goes on from the other one's last picture. Swapped frames are remembered the right way
-  /// round, so that this holds in every one of them.
+  /// Whether each view continues the other one's last picture. Swapped frames are remembered the right way
+  /// round, so that this stays true as long as they are swapped.
   bool crossed(const Seen& now) const {
     if (seen.empty()) return false;
     const Seen& last = seen.back();

@@ -138,8 +138,8 @@ class LocalFit {
   double reach_, bend_;
 };
 
-/// The widest neighbourhood whose fit agrees with all narrower ones (intersection of confidence intervals;
-/// Katkovnik 1999): across an edge, or where the surface bends more than a quadratic, fewer are taken.
+/// The fit through the widest neighbourhood that agrees with all narrower ones (intersection of confidence
+/// intervals, Katkovnik 1999). So it stays narrow at an edge, or where the surface is no quadratic.
 LocalSurface widest_that_agrees(const LocalFit& fit, const Samples& samples) {
   constexpr std::size_t kSizes[] = {9, 13, 18, 25};
   constexpr double kConfidence = 0.5;  // measured: more smooths edges away, less leaves the noise

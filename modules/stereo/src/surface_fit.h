@@ -11,9 +11,9 @@ namespace glisson::stereo {
 /// pixel).
 std::vector<std::vector<int>> nearest_in_picture(const std::vector<Eigen::Vector2d>& points, int k);
 
-/// Which matches agree with their neighbours: disparity is linear over a plane, so a robust plane of the
-/// neighbours' disparities predicts it. Out is what misses by more than 3 robust deviations (and more than
-/// half a pixel), and what has nobody near.
+/// Which matches agree with their neighbours. Disparity is linear over a plane, so a robust plane through the
+/// neighbours' disparities predicts it. A match is out if it misses by more than 3 robust deviations and more
+/// than half a pixel, or has no neighbour near.
 std::vector<bool> agreeing(const Rectification& rectification, const std::vector<Match>& matches);
 
 /// A match with its surface.
@@ -28,9 +28,9 @@ struct Surface {
   double misfit = 1.0;
 };
 /// Moving least squares (Levin 2003) over the rectified left picture: a quadratic of the disparity through
-/// the neighbours. The disparity is what is measured, is linear over a plane, and all of its error lies along
-/// the ray; the pixel that the operator labelled stays. Tukey weights and neighbourhoods that end where the
-/// surface does keep steps in depth.
+/// the neighbours. Disparity is fitted because it is what was measured, it is linear over a plane, and its
+/// error lies along the ray, so a labelled pixel stays where it is. Steps in depth are kept by Tukey's
+/// weights and by neighbourhoods that end where the surface does.
 /// @param reach standard deviation of the patches' weights, pixels: patches overlap, and errors within a
 ///   distance are alike by exp(-(distance / reach)^2 / 4), which enters the sigmas.
 /// @param move false: only normals and misfit are taken from the fit.

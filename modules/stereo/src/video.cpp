@@ -20,7 +20,8 @@ namespace glisson::stereo {
 namespace fs = std::filesystem;
 namespace {
 
-/// One frame less than a length that was computed from a rounded duration is still a whole video.
+/// Frames by which a whole video may be shorter than its stated length, which some containers compute from a
+/// rounded duration.
 constexpr int kRoundedFrames = 1;
 /// Seconds without a pair after which two sources are taken for different operations or moments.
 constexpr double kLongestSearch = 2.0;
@@ -126,8 +127,8 @@ class TwoStreams : public Views {
         has_right = take(*right_, taken_right_);
       if (std::max(left_->seconds, right_->seconds) - begin > kLongestSearch) refuse_skew();
     }
-    // One camera of two that was unplugged is the end, not a file that breaks off. Nor is one of two
-    // recorders that was stopped a moment before the other.
+    // Not reported as a file that breaks off: one of two cameras was unplugged, or one of two recorders was
+    // stopped a moment before the other. It is simply the end.
     if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
       const PictureStream& broken = has_left ? *right_ : *left_;
       const int taken = has_left ? taken_right_ : taken_left_,

@@ -11,6 +11,7 @@
 
 namespace glisson::stereo {
 
+/// How finely density is mapped, and what is enough.
 struct DensityOptions {
   int cell = 8;                ///< side of a cell, pixels
   double least_per_cm2 = 0.7;  ///< the paper's need

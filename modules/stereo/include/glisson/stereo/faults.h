@@ -33,6 +33,7 @@ enum class Fault {
 /// "black", "left_lost", ...
 const char* fault_code(Fault fault);
 
+/// What one pair shows of its own soundness. Without faults, geometry may still be unknown: see `matches`.
 struct PairCheck {
   std::vector<Fault> faults;
   int matches = 0;  ///< that one epipolar geometry explains, whichever; below 20 nothing is said of geometry
@@ -64,11 +65,11 @@ struct FrameFault {
   bool operator==(const FrameFault&) const = default;
 };
 
-/// Looks at frames one after another (9 ms a frame at 1920x1080): black, lost and same views, duplicates,
+/// Looks at frames one after another, fast enough for every frame: black, lost and same views, duplicates,
 /// freezes, changes of order; in lossless and in lossy video. A view stands when it changes far less than in
-/// any of its last four changes, and less than a sensor's coded noise; of a scene where the codec leaves next
-/// to no change at all nothing is said. Swapping is recognised where it begins and ends, from the frame
-/// before; whether the first frame is swapped only check_pair() can tell.
+/// any of its last four changes, and less than a sensor's coded noise; where a codec leaves next to no change
+/// at all nothing is said. Swapping is recognised where it begins and ends, from the frame before; whether
+/// the first frame is swapped only check_pair() can tell.
 class SequenceCheck {
  public:
   SequenceCheck();
@@ -81,6 +82,7 @@ class SequenceCheck {
   std::unique_ptr<Impl> impl_;
 };
 
+/// How often a whole video is held against its calibration.
 struct VideoCheckOptions {
   int every = 30;  ///< each so many frames one is held against the calibration, if it is sound so far
   /// @throws PreconditionError every below 1.

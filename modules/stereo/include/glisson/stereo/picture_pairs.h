@@ -12,6 +12,7 @@ struct PicturePair {
   std::string name;  ///< what both names share, for reports
   std::filesystem::path left, right;
 };
+/// What was found in a folder or in two sources.
 struct PicturePairs {
   std::vector<PicturePair> pairs;            ///< in the order of their names, numbers by value
   std::vector<std::filesystem::path> alone;  ///< pictures without a partner
