@@ -21,6 +21,7 @@ namespace glisson {
 void write_dicom_labels(const std::filesystem::path& path, const LabelVolume& labels,
                         const std::vector<LabelInfo>& infos, const DicomSource& source);
 
+/// A DICOM segmentation, read; its grid is the frames', which need not be a CT's (see placed_on()).
 struct DicomLabels {
   LabelFile file;
   /// Written by Glisson: the codes are those that were written. Else they are the segments' numbers.

@@ -24,6 +24,7 @@ struct DicomSource {
   bool operator==(const DicomSource&) const = default;
 };
 
+/// An image with what its files say of where it came from.
 struct Scan {
   Image image;
   DicomSource source;

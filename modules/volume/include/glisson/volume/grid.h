@@ -26,7 +26,9 @@ struct VolumeGrid {
   }
   /// Centre of a (fractional) voxel index.
   Point<CtFrame> p_in_ct(const Eigen::Vector3d& index) const;
+  /// The inverse: metres in, a fractional index out, which may lie outside the volume.
   Eigen::Vector3d index_of(const Point<CtFrame>& p) const;
+  /// Product of the spacings.
   double voxel_volume_mm3() const;
   /// Same size, and same place to within a hundredth of a voxel.
   bool same_as(const VolumeGrid& other) const;

@@ -39,6 +39,7 @@ struct LabelInfo {
   /// "flagged"; may be empty.
   std::string status = {};
 };
+/// Labels as a file holds them. There may be infos of labels without voxels, and voxels without an info.
 struct LabelFile {
   LabelVolume voxels;
   std::vector<LabelInfo> infos;

@@ -36,8 +36,10 @@ class LabelVolume {
 
   /// @pre grid().contains(v)
   Label at(const Eigen::Vector3i& v) const;
+  /// Copies the brick first if another volume shares it. @pre grid().contains(v)
   void set(const Eigen::Vector3i& v, Label label);
 
+  /// A copy of all voxels, i fastest: large.
   std::vector<Label> dense() const;
   /// Dense 0/1 mask of the voxels whose label satisfies `wanted`.
   std::vector<std::uint8_t> mask(const std::function<bool(Label)>& wanted) const;
@@ -51,9 +53,12 @@ class LabelVolume {
   /// Bricks along each axis, i fastest in their numbering. A brick's first voxel is kSide times its place.
   const Eigen::Vector3i& brick_counts() const { return bricks_; }
   std::size_t brick_count() const { return brick_.size(); }
+  /// Counted in bricks along i, j, k. @pre number < brick_count()
   Eigen::Vector3i brick_place(std::size_t number) const;
   /// Null: all zero. What lies beyond the volume in the last bricks of an axis is zero.
   const std::shared_ptr<const Brick>& brick(std::size_t number) const { return brick_[number]; }
+  /// Puts a brick in place without copying it. @param brick zero beyond the volume; null: all zero.
+  /// @pre number < brick_count()
   void set_brick(std::size_t number, std::shared_ptr<const Brick> brick);
   /// The bricks that are not shared with `before` and differ. @pre one grid.
   LabelChanges changes_since(const LabelVolume& before) const;
@@ -68,9 +73,10 @@ class LabelVolume {
   std::vector<std::shared_ptr<const Brick>> brick_;  ///< null: all zero
 };
 
+/// One brick that an edit changed.
 struct LabelChange {
-  std::size_t number = 0;  ///< of the brick
-  std::shared_ptr<const LabelVolume::Brick> before, after;
+  std::size_t number = 0;                                   ///< of the brick
+  std::shared_ptr<const LabelVolume::Brick> before, after;  ///< null: all zero
 };
 
 }  // namespace glisson

@@ -30,6 +30,7 @@ struct Mask {
                (static_cast<std::size_t>(j) +
                 static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(k));
   }
+  /// Voxels that are set; any value but 0 is.
   long count() const;
 };
 

@@ -12,6 +12,7 @@ namespace glisson {
 /// piece is a cross-section of a branch, about as thick as `thickness_mm`; pieces and their neighbours
 /// towards the root make a graph with the tree's branches (a Reeb graph of the distance).
 struct Shells {
+  /// A cross-section of a branch; connected through 26 neighbours.
   struct Piece {
     int parent = -1;           ///< towards the root; -1 at the root
     double area_mm2 = 0.0;     ///< volume over thickness
