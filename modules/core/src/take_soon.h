@@ -7,9 +7,9 @@
 
 namespace glisson {
 
-/// A program that is killed while it starts another leaves a child that shares what it held until that
-/// becomes the other program: a moment. Whoever holds it longer is at work.
-/// @param waits how often `pause` may still be called. @return whether it is held now.
+/// Takes a claim, with a few tries. A process killed between fork and exec leaves a child that briefly
+/// inherits the lock. A lock held longer than that belongs to a live process.
+/// @param waits how often `pause` may still be called. @return whether the claim is taken now.
 template <class Pause>
 bool take_soon(const Claim& claim, int& waits, const Pause& pause) {
   while (!claim.take()) {

@@ -25,10 +25,12 @@ struct Confinement {
 Confinement confine(const std::vector<std::filesystem::path>& readable,
                     const std::vector<std::filesystem::path>& writable);
 
-/// Of address space and processor time, files that are written, core dumps. A limit that is reached ends the
-/// process (time) or the demand (memory). Soft, so that it can be raised when more is known.
+/// Limits of this process. They are soft, so that they can be raised when more is known.
+/// Of the address space: a demand beyond it fails.
 void limit_memory(double bytes);
+/// Of processor time, all threads together: the process ends when it is used up.
 void limit_seconds(double seconds);
+/// Of each file that is written: a write beyond it ends the process (or fails, where SIGXFSZ is ignored).
 void limit_written_file(double bytes);
 /// No core dump (it would hold a patient's data), and no life beyond the parent's.
 void die_with_parent();
