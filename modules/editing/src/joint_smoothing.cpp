@@ -23,8 +23,8 @@ struct Bid {
   float share;
 };
 
-/// The voxels that more than one label is near to, with the labels that bid for each; and the weights with
-/// which each label gets as many of them as it has now.
+/// Shares out the voxels that are near to more than one label. Each goes to the label with the largest share
+/// plus weight; weights are sought under which every label keeps as many of these voxels as it has now.
 class Contest {
  public:
   void add(std::size_t at, Label here, const std::vector<std::pair<Label, float>>& bids) {
@@ -40,7 +40,8 @@ class Contest {
       for (std::size_t b = starts_[n]; b < starts_[n + 1]; ++b)
         by_owner_[bids_[b].owner].push_back(static_cast<std::uint32_t>(n));
     weights_.assign(labels_.size(), 0.0F);
-    // Only differences count: the largest gets what the others leave.
+    // Only differences of weights count, so the label that is to have most keeps 0 and gets what the others
+    // leave.
     const auto rest = std::max_element(wanted_.begin(), wanted_.end()) - wanted_.begin();
     for (int round = 0; round < kRounds && !is_settled(); ++round) {
       if (context.cancelled()) return false;
@@ -76,7 +77,7 @@ class Contest {
     }
     return best;
   }
-  /// The weight with which an owner gets as many voxels as it is to have, the others' being what they are.
+  /// Sets an owner's weight so that it wins as many voxels as it had before, while the others keep theirs.
   void weigh(std::size_t owner) {
     if (by_owner_[owner].empty()) return;
     std::vector<float> missing;
@@ -84,7 +85,7 @@ class Contest {
     for (const std::uint32_t n : by_owner_[owner]) missing.push_back(missing_of(owner, n));
     weights_[owner] = threshold(missing, wanted_[owner]);
   }
-  /// How much weight more the owner would need to get a voxel that it bids for.
+  /// The weight above which an owner wins a voxel that it bids for.
   float missing_of(std::size_t owner, std::size_t n) const {
     float others = -std::numeric_limits<float>::infinity(), own = 0.0F;
     for (std::size_t b = starts_[n]; b < starts_[n + 1]; ++b)
@@ -94,7 +95,8 @@ class Contest {
         others = std::max(others, bids_[b].share + weights_[bids_[b].owner]);
     return others - own;
   }
-  /// A number that `wanted` of the values lie below. Equal ones do so together: as many as come closest.
+  /// A number below which `wanted` of the values lie. Equal values fall on one side together, so it may be a
+  /// few more or fewer: whichever is closer.
   static float threshold(std::vector<float>& values, long wanted) {
     const long size = static_cast<long>(values.size());
     const auto middle = values.begin() + std::min(wanted, size - 1);

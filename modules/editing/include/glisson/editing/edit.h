@@ -49,6 +49,7 @@ struct EditableRegion {
   bool operator==(const EditableRegion&) const = default;
 };
 
+/// One stroke, or one use of a tool: what, and where it may act.
 struct Edit {
   Tool tool;
   EditableRegion region;
@@ -69,6 +70,7 @@ StepName step_name(const Edit& edit);
 /// Whether a tool works at once where the pointer is, so that it needs no preview.
 bool is_local(const Tool& tool);
 
+/// The labels after an edit.
 struct Edited {
   LabelMap labels;
   long voxels_changed = 0;

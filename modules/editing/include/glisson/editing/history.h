@@ -22,11 +22,12 @@ class History {
   ///   newest is always kept.
   explicit History(std::size_t budget = kDefaultBudget) : budget_(budget) {}
 
+  /// One entry of the undo list.
   struct Step {
     StepName name;
     LabelChanges changes;
-    std::vector<LabelInfo> infos_before, infos_after;
-    std::uint64_t gesture = 0;
+    std::vector<LabelInfo> infos_before, infos_after;  ///< of the whole label map
+    std::uint64_t gesture = 0;  ///< steps of one gesture are joined into one; 0: belongs to none
   };
 
   /// The history after a step from `before` to `after`; what could be redone is forgotten. A step of the same
