@@ -39,10 +39,11 @@ struct ReceivedPair {
   Picture left, right;   ///< grey or blue, green, red; rows from the top
   double seconds = 0.0;  ///< by the server's clock; ascends
 };
+/// A tool's pose as the server sent it last.
 struct ReceivedTool {
-  Rigid<CameraFrame, ToolFrame> camera_from_tool;
-  double seconds = 0.0;  ///< by the server's clock
-  double age = 0.0;      ///< seconds since it came
+  Rigid<CameraFrame, ToolFrame> camera_from_tool;  ///< left camera's frame, metres
+  double seconds = 0.0;                            ///< by the server's clock
+  double age = 0.0;                                ///< seconds since it came
 };
 
 enum class Connection {

@@ -25,6 +25,7 @@ struct SentModel {
   std::vector<SentSurface> surfaces;
 };
 
+/// Where a sender listens, how much it tells, and when it gives up.
 struct SenderOptions {
   Address address;                   ///< to listen at
   double surfaces_per_second = 5.0;  ///< by the frames' own times, at most
@@ -37,9 +38,10 @@ struct SenderOptions {
   void validate() const;
 };
 
+/// How a sender does at one moment.
 struct SenderState {
-  int peers = 0;
-  int given_up = 0;          ///< peers that took nothing for too long
+  int peers = 0;             ///< connected now
+  int given_up = 0;          ///< peers that took nothing for too long, so far
   std::uint64_t frames = 0;  ///< told to at least one peer
 };
 
