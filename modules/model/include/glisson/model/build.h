@@ -34,6 +34,7 @@ struct MeshQuality {
   double mesh_to_fine_mean_mm = 0.0, fine_to_mesh_mean_mm = 0.0, fine_to_mesh_max_mm = 0.0;
 };
 
+/// What building a model says of itself.
 struct ModelReport {
   MeshQuality quality;
   std::vector<std::string> notes;  ///< components dropped, vessel nodes outside, ...: codes with values
@@ -50,6 +51,7 @@ struct TreeEdit {
   bool operator==(const TreeEdit&) const = default;
 };
 
+/// A model, how it was built, and what a person has changed in its trees since.
 struct BuiltModel {
   PatientModel model;
   ModelReport report;
