@@ -14,6 +14,7 @@
 
 namespace glisson::insilico {
 
+/// One way in which a CT is altered. By default nothing is.
 struct Alteration {
   std::string name;
   std::vector<LesionKind> lesions;   ///< hypodense, necrotic or cyst

@@ -10,10 +10,12 @@
 
 namespace glisson::insilico {
 
+/// What of a theatre is filmed, and what of its truth is written beside it.
 struct FilmOptions {
   int frames = 0;                      ///< how many, from the first; 0: all
   std::vector<int> picture_frames{0};  ///< also written as loss-free pictures with a depth map
   bool node_truth = true;              ///< node positions of every frame
+  /// @throws InputError naming the option: more frames than the theatre has.
   void validate(const Theatre& theatre) const;
 };
 

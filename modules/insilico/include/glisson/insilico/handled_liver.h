@@ -22,6 +22,7 @@ inline constexpr Handling kHandlings[] = {Handling::lifted, Handling::pressed, H
 /// "lifted", "pressed", "turned", "pulled".
 const char* handling_code(Handling handling);
 
+/// What is done to the liver, and how far it goes.
 struct HandlingOptions {
   std::uint64_t seed = 1;
   Handling handling = Handling::lifted;

@@ -34,6 +34,7 @@ struct PulledFrame {
   Points nodes;  ///< of the truth's mesh, metres, the rest shape's frame
   Points cloud;  ///< what is seen
 };
+/// A sequence of one organ, with its truth. The rest shape's frame, metres.
 struct PulledOrgan {
   std::vector<PulledFrame> frames;
   Eigen::Vector3d held_centre = Eigen::Vector3d::Zero();     ///< nodes near it do not move

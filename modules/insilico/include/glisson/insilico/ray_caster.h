@@ -25,7 +25,9 @@ struct RayTable {
   Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< optical centre, left camera's frame, metres
   std::vector<Eigen::Vector3f> directions;           ///< left camera's frame; row-major
 };
+/// Of the left camera: the origin is zero.
 RayTable left_rays(const StereoRig& rig);
+/// Of the right camera, in the left one's frame. A hit's parameter is its depth along the right camera's z.
 RayTable right_rays(const StereoRig& rig);
 
 /// First hits on an organ that moves (its tree is refitted, not rebuilt) and on a wall that does not, by
@@ -40,8 +42,11 @@ class RayCaster {
 
   /// @pre as many rows as the organ has vertices.
   void move_organ(const Points& vertices);
+  /// Replaces the former wall. @pre it has triangles, indices in range. @throws NumericalError Embree.
   void set_wall(const TriangleMesh& wall);
 
+  /// The first hit in front of the origin, from either side of a surface. @param direction of any length; the
+  /// hit's parameter counts in it. Where nothing is met: Thing::nothing, triangle -1.
   RayHit cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
   /// The same for `count` rays from one origin, eight at a time: neighbours in a picture's row.
   void cast(const Eigen::Vector3f& origin, const Eigen::Vector3f* directions, int count, RayHit* hits) const;
