@@ -16,6 +16,7 @@ namespace glisson::experiments {
 /// silicone organ) before real cameras; real tissue or a real patient's CT.
 enum class Evidence { in_silico, phantom, real };
 
+/// What a figure should be: `key`'s value at least, or at most, `bound`. The bound itself meets it.
 struct Aim {
   enum class Sense { at_least, at_most };
   std::string key;   ///< of the figure
@@ -29,6 +30,7 @@ struct Aim {
 /// not_measured: the figure is absent (its data are not there) or not a number.
 enum class Verdict { met, missed, not_measured };
 
+/// Of one aim; the unrounded figure is compared.
 Verdict verdict(const Aim& aim, const Figures& figures);
 /// Of all together: missed when one is; else not_measured when one is; else met.
 Verdict verdict(const std::vector<Aim>& aims, const Figures& figures);

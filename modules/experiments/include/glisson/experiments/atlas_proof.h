@@ -29,6 +29,7 @@ struct AtlasProofOptions {
   void validate() const;
 };
 
+/// What was measured of the landmarks that an atlas foretells.
 struct AtlasProof {
   /// Keys begin with "synthetic_" (in silico), "real_" (each real liver by all others; "real_even_" for those
   /// that served development, "real_odd_" for validation), "built_in_" (real livers by the built-in atlas).

@@ -54,6 +54,7 @@ struct DemoPictures {
   std::function<Picture(const engine::CaseState&, const OverlayFrame&)> outline;
 };
 
+/// What a demo measured, and where its main files are.
 struct DemoResult {
   Figures figures;                 ///< flat, units in the names; see the module's README
   std::vector<std::string> notes;  ///< doubts of the stages

@@ -15,6 +15,7 @@
 
 namespace glisson::experiments {
 
+/// What is measured.
 struct LiveProofOptions {
   /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102); 7, 8 and 11
   /// to 14 were looked at before.
@@ -29,6 +30,7 @@ struct LiveProofOptions {
   void validate() const;
 };
 
+/// Whether the overlay withdraws itself when it is wrong, and only then.
 struct LiveProof {
   /// Over all runs: share of the frames truly over 10 mm that are not valid, of those under 3 mm that are
   /// valid (of all, and of those without a fault), seconds to the withdrawal, milliseconds of a frame. Keys

@@ -18,6 +18,7 @@ struct Table {
   std::vector<std::vector<std::string>> rows;  ///< each as long as the heads
 };
 
+/// One of the paper's figures, measured again: ours beside the paper's.
 struct PaperFigure {
   int number = 0;  ///< in the paper
   std::string title, introduction;

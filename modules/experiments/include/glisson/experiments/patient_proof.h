@@ -30,6 +30,7 @@ struct PatientProofOptions {
   void validate() const;
 };
 
+/// What was measured, from the CT to the model.
 struct PatientProof {
   /// Keys begin with "real_" or "synthetic_": Dice coefficients, seconds of each stage, figures of the model;
   /// with "trial_": how the liver's segmentation carries over.

@@ -16,6 +16,7 @@
 
 namespace glisson::experiments {
 
+/// What is measured.
 struct PulledProofOptions {
   std::filesystem::path data;  ///< for elastic_sequence; absent: left out
   std::uint64_t seed = 1;
@@ -28,6 +29,7 @@ struct PulledProofOptions {
   void validate() const;
 };
 
+/// What was measured of bare organs: registered once, then followed.
 struct PulledProof {
   Figures figures;  ///< keys begin with "pulled_" or "sequence_"
   std::vector<std::string> table;

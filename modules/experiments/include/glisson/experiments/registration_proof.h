@@ -15,6 +15,7 @@
 
 namespace glisson::experiments {
 
+/// What is measured.
 struct RegistrationProofOptions {
   std::filesystem::path data;  ///< real livers; those that are absent are left out
   bool development = true, validation = true;
@@ -35,6 +36,7 @@ struct RegistrationProofOptions {
   void validate() const;
 };
 
+/// How far off registrations were, and whether they said so.
 struct RegistrationProof {
   /// Keys begin with "registration_development_" or "registration_validation_".
   Figures figures;

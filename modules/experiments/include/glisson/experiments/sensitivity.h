@@ -25,6 +25,8 @@ inline constexpr std::array<Support, 3> kSupports = {Support::notch, Support::ca
 /// "notch", "cava", "both".
 const char* support_code(Support support);
 
+/// Which posture is simulated, and how its supports are altered: moved along the surface, or made softer and
+/// stiffer.
 struct SensitivityOptions {
   enum class Flank { left, right };  ///< the side that is down
   Flank flank = Flank::left;
@@ -50,6 +52,7 @@ struct ShapeDistance {
 ShapeDistance shape_distance(const PatientModel& model, const PointsIn<CtFrame>& a,
                              const PointsIn<CtFrame>& b);
 
+/// A support moved by one distance, in several directions.
 struct ShiftRow {
   Support support = Support::both;
   double shift = 0.0;              ///< metres
@@ -57,11 +60,13 @@ struct ShiftRow {
   double least = 0.0, most = 0.0;  ///< of the surface's, over the same, metres
   int solved = 0, tried = 0;
 };
+/// A support whose stiffness was multiplied.
 struct StiffnessRow {
   Support support = Support::both;
   double factor = 1.0;
   ShapeDistance distance;  ///< not a number: no equilibrium was found
 };
+/// How far the final shape moves when its supports are altered, against the unaltered reference.
 struct Sensitivity {
   double motion_mean = 0.0, motion_max = 0.0;  ///< of the reference's nodes, from supine to flank, metres
   std::vector<ShiftRow> shifts;                ///< by support, then by shift

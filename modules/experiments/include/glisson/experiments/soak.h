@@ -32,6 +32,7 @@ struct SoakOptions {
 /// How frames are drawn; the experiment knows no renderer. May be empty: they are only followed then.
 using DrawOverlay = std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)>;
 
+/// What a process used over hours of work, and what kills left.
 struct SoakResult {
   Figures figures;      ///< `soak_...`, `kill_...`, and those of the engine's commands
   std::string page;     ///< the same in Markdown

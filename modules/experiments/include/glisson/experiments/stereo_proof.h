@@ -15,6 +15,7 @@
 
 namespace glisson::experiments {
 
+/// What is measured.
 struct StereoProofOptions {
   /// The folder with stereo_opencas, stereo_chessboard and stereo_heart; what is absent is left out.
   std::filesystem::path data;
@@ -22,6 +23,7 @@ struct StereoProofOptions {
   std::uint64_t seed = 1;
 };
 
+/// What was measured, from pictures to clouds.
 struct StereoProof {
   /// Keys begin with "opencas_", "chessboard_", "heart_" (real) or "theatre_" (in silico).
   Figures figures;

@@ -16,6 +16,7 @@
 
 namespace glisson::experiments {
 
+/// On which livers an atlas is tried.
 struct TransferStudyOptions {
   std::filesystem::path data;  ///< with liver_labelmaps and liver_models; absent: in silico only
   std::shared_ptr<const atlas::Atlas> base;  ///< the atlases' template
@@ -42,6 +43,7 @@ struct TransferRow {
   double cava = 0.0, cava_largest = 0.0;
 };
 
+/// How far off surface, notch and vena cava were foretold, liver by liver.
 struct TransferStudy {
   std::vector<TransferRow> rows;
   /// How the atlas' livers differ in where notch and cava lie on the mean liver
