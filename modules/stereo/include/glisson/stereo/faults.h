@@ -65,11 +65,11 @@ struct FrameFault {
   bool operator==(const FrameFault&) const = default;
 };
 
-/// Looks at frames one after another, fast enough for every frame: black, lost and same views, duplicates,
-/// freezes, changes of order; in lossless and in lossy video. A view stands when it changes far less than in
-/// any of its last four changes, and less than a sensor's coded noise; where a codec leaves next to no change
-/// at all nothing is said. Swapping is recognised where it begins and ends, from the frame before; whether
-/// the first frame is swapped only check_pair() can tell.
+/// Looks at frames one after another: black, lost and same views, duplicates, freezes, changes of order; in
+/// lossless and in lossy video. A view stands when it changes far less than in any of its last four changes,
+/// and less than a sensor's coded noise; where a codec leaves next to no change at all nothing is said.
+/// Swapping is recognised where it begins and ends, from the frame before; whether the first frame is swapped
+/// only check_pair() can tell.
 class SequenceCheck {
  public:
   SequenceCheck();

@@ -23,8 +23,7 @@ class StereoVideo {
   /// @throws FileError; InputError what cannot be read, sources that do not belong together (size, rate).
   explicit StereoVideo(const SourceOptions& options);
   /// @param left a video, a folder of picture pairs, "device:0", "igtl:HOST:PORT/LEFT,RIGHT", or a
-  /// description of a source (.json, see
-  ///   read_source).
+  ///   description of a source (.json, see read_source()).
   /// @param right empty: `left` holds both views (a video: side by side).
   explicit StereoVideo(const std::filesystem::path& left, const std::filesystem::path& right = {});
   ~StereoVideo();
@@ -43,6 +42,8 @@ class StereoVideo {
   /// The next frame. @return false at the end. @throws InputError when the video breaks off before
   /// frame_count(); when the views' times never meet.
   bool read(StereoFrame& frame);
+  /// Back to the first frame, whose index and time are 0 again; skipped() is not. A live source goes on where
+  /// it is, with index and time from 0.
   void rewind();
   int skipped() const;  ///< frames of either view that had no partner, so far
 
@@ -60,7 +61,10 @@ class VideoWriter {
  public:
   VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second);
   ~VideoWriter();
+  /// @throws FileError too little room is left on the disk.
   void write(const Picture& picture);
+  /// Puts the file in place, also if less can be read back than was written. @pre not closed yet.
+  /// @throws PartlyRecorded less can be read back; FileError nothing can, or the file cannot be put in place.
   void close();
 
  private:
