@@ -81,6 +81,7 @@ std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& su
 /// What lies this near to a point of the cloud has been seen, metres: at the least density that the paper
 /// needs (0.7 points per cm2) the points of a patch are 12 mm apart.
 inline constexpr double kSeenWithin = 8e-3;
+/// Whether any point of the cloud lies within kSeenWithin of a place. Both in one frame, metres.
 bool is_seen(const Points& cloud, const Eigen::RowVector3d& at);
 /// Share of a surface's area that has been seen. Both in one frame.
 double seen_share(const TriangleMesh& surface, const Points& cloud);
