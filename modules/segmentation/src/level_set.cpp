@@ -93,8 +93,8 @@ class Rebuilder {
   }
 
   void rebuild(Field& phi, std::vector<std::size_t>& band) {
-    // The first two times the whole volume: the phi that is given first may clamp voxels as far that the
-    // front touches.
+    // Twice the whole volume. In the phi that is given first the front may lie between voxels whose values
+    // say that they are far from it; only once these are clamped is it seen.
     const bool is_whole = rebuilds_++ < 2;
     start(phi, is_whole);
     for (const std::size_t at : near_) {
