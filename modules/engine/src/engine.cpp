@@ -82,8 +82,8 @@ struct Engine::Impl final : LiveLanes {
     current = std::move(amended);
   }
 
-  /// The first waiting job of the lane that may start: nothing that waits before it touches what it writes or
-  /// writes what it touches, and nothing that runs writes what it touches.
+  /// The first waiting job of this lane that conflicts with no job waiting before it (Job::conflicts_with)
+  /// and need not wait for a running one (Job::must_wait_for). Null: there is none.
   std::shared_ptr<Job> take_ready(Lane lane) {
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       const std::shared_ptr<Job> job = waiting[i];

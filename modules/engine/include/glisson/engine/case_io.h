@@ -48,9 +48,9 @@ std::vector<std::string> put_case(const std::filesystem::path& fresh, const std:
 std::string edition_on_disk(const std::filesystem::path& folder);
 
 /// Reads a case, stamps included.
-/// @param lost a cloud, the points of its stereo pair or operations that cannot be read can be made again:
-///   the case is opened without and what is wrong is told here ("case.cloud_lost SENTENCE", points_lost,
-///   operations_lost); null: that is thrown too.
+/// @param lost receives what could not be read but can be spared: the case is opened without it. One note
+///   each: "case.cloud_lost SENTENCE", likewise points_lost (of the stereo pair), former_registration_lost
+///   and operations_lost. Null: these are thrown, too.
 /// @throws FileError missing; InputError not a case, newer format, a part that is malformed (named).
 Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunContext& context,
                                  std::vector<std::string>* lost = nullptr);
@@ -58,6 +58,8 @@ Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunCon
 /// Landmarks as JSON: {"frame": "LPS", "unit": "mm", "anterior_margin": [[x, y, z], ...], "umbilical_notch":
 /// ..., "vena_cava": ...}; absent ones may be left out. @throws InputError naming the field.
 Landmarks read_landmarks(const std::filesystem::path& path);
+/// The same file; absent landmarks are left out (a file without any is refused by read_landmarks()). Atomic.
+/// @throws FileError.
 void write_landmarks(const std::filesystem::path& path, const Landmarks& landmarks);
 
 /// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x

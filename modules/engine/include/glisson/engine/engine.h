@@ -42,11 +42,12 @@ struct Outcome {
   CommandTraits traits = {};
   double seconds = 0.0;
 };
+/// How far a running command has come. Of each command only the newest is kept until it is taken.
 struct Progress {
   CommandId id = 0;
   std::string command;
-  double fraction = 0.0;
-  std::string stage;  ///< code
+  double fraction = 0.0;  ///< of the whole command, 0 to 1
+  std::string stage;      ///< code
 };
 using Event = std::variant<Progress, Outcome>;
 
@@ -75,6 +76,7 @@ enum class Runner { inline_, threaded };
 /// pass the same tests. post, cancel, submit_frame, snapshot, take_events may be called from any thread.
 class Engine {
  public:
+  /// How commands are run, and what stands in for the modules in tests.
   struct Options {
     Runner runner = Runner::threaded;
     std::uint64_t seed = 1;
@@ -99,6 +101,10 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
+  /// Takes a command in; how it ends is told by its Outcome alone. Threaded: returns at once, and the command
+  /// runs on one of the engine's threads. Inline: runs it, and all that waits before it, on the caller's
+  /// thread before it returns; a post from within a command waits its turn.
+  /// @return the command's id, from 1 upwards.
   CommandId post(Command command);
   /// Never lost: a command that waits ends as cancelled without starting; one that runs is told. Unknown or
   /// finished ids are ignored.

@@ -46,6 +46,8 @@ using LiveInput = std::variant<StereoFrame, IndexedCloud>;
 class Follower {
  public:
   virtual ~Follower() = default;
+  /// The next moment. What cannot be followed is told by the overlay's validity; should this throw, the
+  /// engine shows no overlay for the moment (mechanics_failed).
   virtual OverlayFrame follow(const LiveInput& input) = 0;
   /// Somebody has seen a place of the organ elsewhere than in the last frame's overlay.
   /// @return that overlay as it is now. @throws InputError why it cannot be done; nothing has changed.

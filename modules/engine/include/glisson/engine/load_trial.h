@@ -16,6 +16,7 @@
 
 namespace glisson::engine {
 
+/// The mechanics of a trial and what pulls.
 struct TrialOptions {
   fem::CompositeOptions materials;
   double time_step = 1.0 / 60.0;  ///< s, of the mechanics; Engine::Options::trial_seconds is the pace
