@@ -67,13 +67,15 @@ struct OverlayInterest {
 std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const Camera& camera,
                                                const OverlayFrame& overlay, const Eigen::Vector2d& pixel);
 
-/// Draws the deformed model into a frame of the laparoscope: vessels in their structures' colours, fading
-/// with depth below the liver's surface (hepatic veins hatched, so that colour is not the only cue), lesions
-/// with a contour, the liver's outline and anterior margin, through the camera's own matrix and lens. Fine
-/// surfaces are bound to the mesh once, here. A withdrawn frame is drawn without any overlay, a degraded one
-/// with the outline and the lesions' regions only, both with the reason and a coloured border. A lesion of
-/// its own that is degraded is drawn as the region that holds it in 95 of 100 cases, one that is withdrawn or
-/// that nobody judged is not drawn; the reason is written. Needs no OpenGL. Not thread-safe. Text needs a
+/// Draws the deformed model into a frame of the laparoscope, through the camera's own matrix and lens.
+/// - Vessels have their structures' colours and fade with depth below the liver's surface. Hepatic veins are
+///   hatched, so that colour is not the only cue. Lesions have a contour; the liver's outline and anterior
+///   margin are lines.
+/// - A degraded frame shows the outline and the lesions' regions only, a withdrawn one nothing of the model;
+///   both show the reason and a coloured border.
+/// - A lesion has a verdict of its own. A degraded one is drawn as the region that holds it in 95 of 100
+///   cases, one that is withdrawn or was not judged is not drawn; the reason is written.
+/// Fine surfaces are bound to the mesh once, here. Needs no OpenGL. Not thread-safe. Text needs a
 /// QGuiApplication (see HeadlessGui).
 class OverlayPainter {
  public:
