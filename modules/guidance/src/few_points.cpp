@@ -12,8 +12,8 @@ namespace {
 constexpr int kWidth = 320, kStep = 8;  ///< of the reduced pictures, and of the grid there
 constexpr double kGone = 0.1;           ///< of a view's detail: less is no picture
 constexpr double kLookEvery = 0.3;      ///< seconds between two looks at whether the views are swapped
-/// Of the places that stereo saw at the start, what it sees at least; and how many times as much as in the
-/// other order, where what repeats is matched by chance.
+/// In the right order stereo sees more than the share kSeen of the places at the start, and more than kTimes
+/// as many as in the other order. There it matches repeating patterns by chance.
 constexpr double kSeen = 0.4, kTimes = 2.0;
 
 }  // namespace

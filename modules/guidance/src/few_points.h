@@ -20,9 +20,9 @@ class FewPoints {
   Validity reason(const StereoFrame& frame, const FrameClock& clock);
 
  private:
-  /// Whether `left` and `right` are surely in this order.
-  /// @param seen places that stereo finds in this order: nearly as many as at the start, and many times as
-  ///   many as in the other order.
+  /// Whether `left` and `right` are surely in this order: stereo sees a good part of what it saw at the
+  /// start, and far more than in the other order.
+  /// @param seen places that stereo sees in this order.
   bool fits(std::size_t seen, const Picture& left, const Picture& right);
   bool are_swapped(const StereoFrame& frame, const FrameClock& clock);
 

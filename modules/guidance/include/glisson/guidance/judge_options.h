@@ -28,7 +28,7 @@ struct JudgeOptions {
   double motion = 2.5;        ///< Evidence::motion: less is none
   /// Evidence::fresh of a still picture. Up to `repeated` it is a copy; above `fresh` it is live; between
   /// them it may be either. Noise that has grown by the factor `louder` since the scene last moved makes it a
-  /// copy, too: somebody adds the noise.
+  /// copy, too: somebody adds the noise. A scene that has not moved yet is never taken for live.
   double repeated = 0.1, fresh = 0.7, louder = 1.2;
   /// Pixels, Evidence::rows: from here on the two views show different moments. If the points scattered by
   /// more about their median at first (one deviation), that is the limit instead.
