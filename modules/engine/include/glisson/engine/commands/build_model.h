@@ -6,6 +6,8 @@
 
 namespace glisson::engine {
 
+/// Builds the model from the labels; notes labels that nobody has approved. @throws InputError as
+/// model::build_from_labels().
 struct BuildModel {
   model::ModelOptions options;
 

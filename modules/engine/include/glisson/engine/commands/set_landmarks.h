@@ -6,6 +6,7 @@
 
 namespace glisson::engine {
 
+/// Replaces all landmarks by these; none at all removes them.
 struct SetLandmarks {
   Landmarks landmarks;
 

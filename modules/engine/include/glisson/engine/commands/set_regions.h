@@ -6,6 +6,7 @@
 
 namespace glisson::engine {
 
+/// Replaces all regions on the registered pair. @throws InputError regions of other pictures.
 struct SetRegions {
   stereo::Regions regions;
 

@@ -6,6 +6,7 @@
 
 namespace glisson::engine {
 
+/// Replaces all seeds; nothing is segmented.
 struct SetSeeds {
   segmentation::Seeds seeds;
 

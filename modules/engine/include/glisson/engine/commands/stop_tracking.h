@@ -5,6 +5,7 @@
 
 namespace glisson::engine {
 
+/// Ends tracking; what was shown last is gone from the case, too.
 struct StopTracking {
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -5,6 +5,7 @@
 
 namespace glisson::engine {
 
+/// Ends the load trial; does nothing where none is on.
 struct StopTrial {
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
