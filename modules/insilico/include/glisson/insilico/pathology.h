@@ -24,6 +24,7 @@ struct LesionKind {
   double radius_mm = 15.0;
 };
 
+/// How one patient and one scan differ from the standard synthetic patient.
 struct Pathology {
   enum class Phase { portal_venous, late_arterial, unenhanced };
   std::string name;
