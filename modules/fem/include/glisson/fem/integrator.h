@@ -51,6 +51,8 @@ struct StepSummary {
 /// = ... Symbolic analysis once, at construction. Not thread-safe. Same bits from run to run.
 class Integrator {
  public:
+  /// At the model's rest shape, at rest. @throws InputError options, fixed nodes that the model does not
+  /// have.
   Integrator(std::shared_ptr<const CompositeModel> model, const IntegratorOptions& options);
   ~Integrator();
   Integrator(Integrator&&) noexcept;
