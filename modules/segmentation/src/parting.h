@@ -23,7 +23,7 @@ struct Sides {
 /// is not tissue.
 /// 1. A part is what drains to one place of greatest depth (Meyer 1994).
 /// 2. Two neighbours become one part where the neck between them is at least 0.8 times as deep as the
-///    shallower of them, unless one has a click inside and the other one outside.
+///    shallower of them, unless together they hold clicks of both kinds.
 /// 3. Parts with a click inside are owned, also if they hold one outside. So is every part without a click
 ///    whose face with owned parts is wide for its volume: 0.7 times the flat face of a half ball. The left
 ///    lobe hangs on the right one so; a pancreas or a heart does not.
