@@ -127,8 +127,8 @@ class TwoStreams : public Views {
         has_right = take(*right_, taken_right_);
       if (std::max(left_->seconds, right_->seconds) - begin > kLongestSearch) refuse_skew();
     }
-    // Not reported as a file that breaks off: one of two cameras was unplugged, or one of two recorders was
-    // stopped a moment before the other. It is simply the end.
+    // Only a file that breaks off is reported. One of two cameras that was unplugged, or one of two recorders
+    // that was stopped a moment before the other, is simply the end.
     if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
       const PictureStream& broken = has_left ? *right_ : *left_;
       const int taken = has_left ? taken_right_ : taken_left_,
