@@ -6,7 +6,8 @@
 
 namespace glisson::engine {
 
-/// Replaces all regions on the registered pair. @throws InputError regions of other pictures.
+/// Replaces all regions of the case's stereo pair; regions that name no pair are taken for this one's.
+/// @throws InputError regions of other pictures.
 struct SetRegions {
   stereo::Regions regions;
 
