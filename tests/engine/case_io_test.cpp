@@ -115,6 +115,7 @@ class CaseIoTest : public QObject {
   void ARegistrationThatTurnsAnElementInsideOutIsKept();
   void ARegistrationsDoubtsTravelWithItsFile();
   void WhereARegistrationMayBeWrongTravelsWithItsFile();
+  void ARigidPartIsReadHoweverItsNumbersStand();
   void WhatIsNoErrorAndNoProbabilityIsRefused();
   void WhatIsNoCovarianceIsRefused();
   void CasesOfBeforeSayByNumberHowARegistrationEnded();
@@ -438,6 +439,34 @@ void CaseIoTest::WhatIsNoErrorAndNoProbabilityIsRefused() {
           std::string::npos);
   QVERIFY(error_with([](Registration& r) { r.rivals[0].probability = 1.5; }).find("rival_1_probability") !=
           std::string::npos);
+}
+
+void CaseIoTest::ARigidPartIsReadHoweverItsNumbersStand() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  const PatientModel& model = state[part::model]->model;
+  Registration registration = *state[part::registration];
+  registration.camera_from_ct.rotation = rotation_by({0.1, -0.2, 0.3});
+  registration.camera_from_ct.translation << 0.01, 0.02, 0.03;
+  const auto file_path = folder.path() / "r.vtu";
+  write_registration(file_path, model, registration, LengthUnit::millimetre);
+  TetFile file = read_tet_file(file_path, LengthUnit::millimetre, MeshShape::deformed);
+  const Eigen::MatrixXd square = file.field_data["cloud_from_model"];
+  Eigen::MatrixXd row(1, 16);
+  for (Eigen::Index n = 0; n < 16; ++n) row(0, n) = square(n / 4, n % 4);
+  const auto read_with = [&](const Eigen::MatrixXd& table) {
+    file.field_data["cloud_from_model"] = table;
+    write_tet_mesh(file_path, file, LengthUnit::millimetre);
+    return read_registration(file_path, model, LengthUnit::millimetre).camera_from_ct;
+  };
+  for (const Eigen::MatrixXd& table : {square, row, Eigen::MatrixXd(row.transpose())}) {
+    const CameraFromCt read = read_with(table);
+    QVERIFY((read.rotation - registration.camera_from_ct.rotation).norm() < 1e-12);
+    QVERIFY((read.translation - registration.camera_from_ct.translation).norm() < 1e-12);
+  }
+  for (const Eigen::MatrixXd& table : {Eigen::MatrixXd(square.reshaped(2, 8)),
+                                       Eigen::MatrixXd(square.reshaped(8, 2)), Eigen::MatrixXd(2.0 * square)})
+    QVERIFY_THROWS_EXCEPTION(InputError, read_with(table));
 }
 
 void CaseIoTest::NumbersBeyondTheirRangeAreRefused_data() {

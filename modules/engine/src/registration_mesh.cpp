@@ -237,6 +237,26 @@ void write_registration(const fs::path& path, const PatientModel& model, const R
   write_tet_mesh(path, file, unit);
 }
 
+namespace {
+
+/// Field data is a table of tuples: 4 x 4 as written; one row or one column of 16 from other writers.
+CameraFromCt read_rigid(const fs::path& path, const Eigen::MatrixXd& table, LengthUnit unit) {
+  const bool is_square = table.rows() == 4 && table.cols() == 4;
+  if (!is_square && !(table.size() == 16 && (table.rows() == 1 || table.cols() == 1)))
+    throw InputError(path.string(), "cloud_from_model", "is not 16 numbers",
+                     "Write a 4 x 4 matrix, cloud_from_model, row by row");
+  Eigen::Matrix4d matrix;
+  for (Eigen::Index i = 0; i < 4; ++i)
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      const Eigen::Index n = 4 * i + k;
+      matrix(i, k) = is_square ? table(i, k) : table.rows() == 1 ? table(0, n) : table(n, 0);
+    }
+  matrix.topRightCorner<3, 1>() *= metres_per(unit);
+  return CameraFromCt::from_matrix(matrix, path.string());
+}
+
+}  // namespace
+
 Registration read_registration(const fs::path& path, const PatientModel& model, LengthUnit unit) {
   const TetFile file = read_tet_file(path, unit, MeshShape::deformed);
   if (file.mesh.vertex_count() != model.mesh.vertex_count() || file.mesh.tetrahedra != model.mesh.tetrahedra)
@@ -252,17 +272,9 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
   registration.looks = read_looks(path, file);
   read_places(path, file, registration);
   const auto rigid = file.field_data.find("cloud_from_model");
-  if (rigid != file.field_data.end() && rigid->second.size() == 16) {
-    // Field data is a table of tuples: 4 x 4 as written, or one row of 16 from other writers.
-    Eigen::Matrix4d matrix;
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k)
-        matrix(i, k) = rigid->second.rows() == 4 ? rigid->second(i, k) : rigid->second(0, 4 * i + k);
-    matrix.topRightCorner<3, 1>() *= metres_per(unit);
-    registration.camera_from_ct = CameraFromCt::from_matrix(matrix);
-  } else {
-    registration.camera_from_ct = fit_rigid<CameraFrame, CtFrame>(model.mesh.vertices, file.mesh.vertices);
-  }
+  registration.camera_from_ct = rigid != file.field_data.end() ? read_rigid(path, rigid->second, unit)
+                                                               : fit_rigid<CameraFrame, CtFrame>(
+                                                                     model.mesh.vertices, file.mesh.vertices);
   return registration;
 }
 

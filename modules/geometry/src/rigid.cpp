@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/geometry/rigid.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
+
+#include "glisson/core/error.h"
 
 namespace glisson {
 
@@ -24,8 +27,15 @@ Eigen::Matrix4d RigidMotion::matrix() const {
   return m;
 }
 
-RigidMotion RigidMotion::from_matrix(const Eigen::Matrix4d& m) {
-  return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
+RigidMotion RigidMotion::from_matrix(const Eigen::Matrix4d& m, const std::string& where) {
+  constexpr double kRounded = 1e-3;
+  const RigidMotion motion{m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
+  const Eigen::Matrix3d& r = motion.rotation;
+  if (!m.allFinite() || (r * r.transpose() - Eigen::Matrix3d::Identity()).norm() > kRounded ||
+      r.determinant() < 0.0)
+    throw InputError(where, "matrix", "its upper left 3 x 3 block is not a rotation",
+                     "Take out scale and mirroring");
+  return motion;
 }
 
 Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/registration/registration_files.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <sstream>
 
 #include "glisson/core/error.h"
@@ -18,13 +18,8 @@ CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
     if (!(stream >> matrix(i / 4, i % 4)))
       throw InputError(path.string(), "matrix", "is not 16 numbers",
                        "Write a 4 x 4 matrix, cloud_from_model, row by row");
-  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 ||
-      rotation.determinant() < 0.0)
-    throw InputError(path.string(), "matrix", "its upper left 3 x 3 block is not a rotation",
-                     "Take out scale and mirroring");
   matrix.topRightCorner<3, 1>() *= metres_per(unit);
-  return CameraFromCt::from_matrix(matrix);
+  return CameraFromCt::from_matrix(matrix, path.string());
 }
 
 void write_carried_surface(const fs::path& path, const TriangleMesh& surface, const PatientModel& model,

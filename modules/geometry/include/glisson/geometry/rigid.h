@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 
 #include "glisson/core/frames.h"
 #include "glisson/geometry/mesh.h"
@@ -21,9 +22,9 @@ struct RigidMotion {
   Points apply(const Points& points) const;
   /// Homogeneous 4 x 4 with the translation in metres.
   Eigen::Matrix4d matrix() const;
-  /// The upper three rows as they are. Whether the 3 x 3 part is a rotation is not checked: a matrix with
-  /// scale, shear or reflection gives a motion that is not rigid. The last row is not read.
-  static RigidMotion from_matrix(const Eigen::Matrix4d& m);
+  /// Of a matrix from a file. The last row is not read. @param where the file, for the error.
+  /// @throws InputError its field "matrix": a number that is not finite, scale, shear or reflection.
+  static RigidMotion from_matrix(const Eigen::Matrix4d& m, const std::string& where);
 };
 
 /// A rotation and a translation (metres) from one frame to another: p_in_target = R p_in_source + t. Named
@@ -49,8 +50,10 @@ struct Rigid {
 
   /// Homogeneous 4 x 4, metres.
   Eigen::Matrix4d matrix() const { return motion().matrix(); }
-  /// Unchecked, as RigidMotion::from_matrix().
-  static Rigid from_matrix(const Eigen::Matrix4d& m) { return of(RigidMotion::from_matrix(m)); }
+  /// As RigidMotion::from_matrix(), and throws as it.
+  static Rigid from_matrix(const Eigen::Matrix4d& m, const std::string& where) {
+    return of(RigidMotion::from_matrix(m, where));
+  }
 
   RigidMotion motion() const { return {rotation, translation}; }
   static Rigid of(const RigidMotion& motion) { return {motion.rotation, motion.translation}; }
