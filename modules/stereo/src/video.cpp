@@ -144,6 +144,7 @@ class TwoStreams : public Views {
     left_->rewind();
     right_->rewind();
     taken_left_ = taken_right_ = 0;
+    skipped = 0;
   }
   std::optional<double> came() const override {
     return left_->live ? std::optional(left_->seconds) : std::nullopt;
