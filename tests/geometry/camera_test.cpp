@@ -3,7 +3,11 @@
 
 #include <Eigen/LU>
 #include <QtTest>
+#include <cmath>
+#include <limits>
 #include <random>
+
+#include "glisson/core/error.h"
 
 using namespace glisson;
 
@@ -36,6 +40,18 @@ Rigid<B, A> known_motion() {
   return motion;
 }
 
+/// By differences of project() alone: steps outwards from the middle, until one is too short.
+double slope_of_shortened_steps(const Camera& camera) {
+  constexpr double kStep = 1e-3, kShortest = 0.2;
+  const auto along = [&](double slope) {
+    return (camera.project({slope, 0.0, 1.0}) - camera.project({0.0, 0.0, 1.0})).x();
+  };
+  const double first = along(kStep);
+  double slope = 0.0;
+  while (slope < 4.0 && along(slope + kStep) - along(slope) >= kShortest * first) slope += kStep;
+  return slope;
+}
+
 }  // namespace
 
 class CameraTest : public QObject {
@@ -44,11 +60,14 @@ class CameraTest : public QObject {
   void UndistortedProjectionIsThePinhole();
   void DistortionIsOpenCvs();
   void RayIsTheInverseOfProject();
+  void DirectionsAreMappedWhileThePictureGrows();
+  void AFoldedPlaceIsNotInThePicture();
   void CentreOfTheFirstPixelIsTheOrigin();
   void BaselineIsTheTranslation();
   void InverseUndoes();
   void CompositionIsOneAfterTheOther();
   void MatrixHoldsTheSame();
+  void AMatrixThatIsNoMotionIsRefused();
   void FitFindsTheMotion();
   void FitNeverReflects();
   void FitOfAPlaneIsARotation();
@@ -81,6 +100,41 @@ void CameraTest::RayIsTheInverseOfProject() {
         QVERIFY((camera.project(0.137 * ray) - Eigen::Vector2d(u, v)).norm() < 1e-6);
       }
   }
+}
+
+void CameraTest::DirectionsAreMappedWhileThePictureGrows() {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  Camera camera = laparoscope(false);
+  int folded = 0;
+  for (int n = 0; n < 200; ++n) {
+    // Of one, two and three terms; real calibrations have coefficients of 3 and -15.
+    camera.distortion << 0.5 * normal(random), n % 3 > 0 ? 2.0 * normal(random) : 0.0, 0.0, 0.0,
+        n % 3 > 1 ? 8.0 * normal(random) : 0.0;
+    const double expected = slope_of_shortened_steps(camera), found = camera.widest_slope();
+    QVERIFY2(std::abs(found - expected) < 3e-3,
+             qPrintable(QString("%1: %2 for %3").arg(n).arg(found).arg(expected)));
+    folded += found < 3.9;
+    const Eigen::Vector3d side = Eigen::Vector3d(0.6, -0.8, 0.0);
+    for (const double share : {0.5, 0.99, 1.01, 1.7}) {
+      const Eigen::Vector3d p = 0.1 * (Eigen::Vector3d::UnitZ() + share * found * side);
+      QCOMPARE(camera.maps(p), share < 1.0);
+    }
+  }
+  QVERIFY(folded > 50);
+  QVERIFY(!camera.maps({0.0, 0.0, -0.1}) && !camera.maps({0.0, 0.0, 0.0}));
+  QVERIFY(!camera.shows({0.0, 0.0, -0.1}));
+}
+
+void CameraTest::AFoldedPlaceIsNotInThePicture() {
+  Camera camera = laparoscope(false);
+  camera.distortion << -0.4, 0.0, 0.0, 0.0, 0.0;
+  const Eigen::Vector3d aside(0.15, 0.0, 0.1);
+  QVERIFY(camera.sees(camera.project(aside)));  // where something else is
+  QVERIFY(!camera.shows(aside));
+  QVERIFY(camera.shows({0.03, 0.0, 0.1}));
+  QVERIFY(camera.maps({0.08, 0.0, 0.1}));
+  QVERIFY(!camera.shows({0.08, 0.0, 0.1}));  // beside the picture
 }
 
 void CameraTest::CentreOfTheFirstPixelIsTheOrigin() {
@@ -117,8 +171,19 @@ void CameraTest::MatrixHoldsTheSame() {
   for (Eigen::Index i = 0; i < 5; ++i)
     QVERIFY(((motion.matrix() * points.row(i).transpose().homogeneous()).head<3>() - moved.row(i).transpose())
                 .norm() < 1e-14);
-  const Rigid<B, A> back = Rigid<B, A>::from_matrix(motion.matrix());
+  const Rigid<B, A> back = Rigid<B, A>::from_matrix(motion.matrix(), "test");
   QVERIFY(back.rotation == motion.rotation && back.translation == motion.translation);
+}
+
+void CameraTest::AMatrixThatIsNoMotionIsRefused() {
+  const Eigen::Matrix4d good = known_motion().matrix();
+  Eigen::Matrix4d scaled = good, mirrored = good, not_a_number = good, endless = good;
+  scaled.topLeftCorner<3, 3>() *= 1.1;
+  mirrored.col(0) *= -1.0;
+  not_a_number(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  endless(2, 3) = std::numeric_limits<double>::infinity();
+  for (const Eigen::Matrix4d& matrix : {scaled, mirrored, not_a_number, endless})
+    QVERIFY_THROWS_EXCEPTION(InputError, (Rigid<B, A>::from_matrix(matrix, "a.vtu")));
 }
 
 void CameraTest::FitFindsTheMotion() {

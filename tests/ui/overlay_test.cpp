@@ -89,6 +89,7 @@ class OverlayTest : public QObject {
   void EveryReasonHasItsRemedy();
   void SamePictureFromTheSameInput();
   void VesselsThatLeaveTheLiverAreNotDrawnOutsideIt();
+  void WhatTheLensFoldsBackIsNotDrawn();
   void FrameOfAnotherSizeIsRefused();
   void NodesOfAnotherModelAreRefused();
   void BadStyleIsRefused();
@@ -420,6 +421,39 @@ void OverlayTest::VesselsThatLeaveTheLiverAreNotDrawnOutsideIt() {
   int changed = 0;
   centre_of_change(frame, picture, &changed);
   QVERIFY(changed > 500);
+}
+
+void OverlayTest::WhatTheLensFoldsBackIsNotDrawn() {
+  // A barrel lens of one coefficient: beyond a slope of 0.86 its polynomial turns back into the picture.
+  constexpr double kBarrel = -0.45, kAcross = 0.012, kNear = 0.045;
+  Camera camera = laparoscope();
+  camera.distortion << kBarrel, 0.0, 0.0, 0.0, 0.0;
+  PatientModel model = box_patient();
+  Points margin(61, 3);  // along the front, from a slope of 1.3 on one side to the same on the other
+  for (int i = 0; i < 61; ++i) margin.row(i) << -0.06 + 0.002 * i, kAcross, -0.025;
+  model.landmarks.anterior_margin = margin;
+  scene::OverlayStyle style = only_lesions();
+  style.lesions = false;
+  style.anterior_margin = true;
+  Points nodes = model.mesh.vertices;
+  nodes.col(2).array() += kNear + 0.025;
+  const Picture frame = grey_frame(camera);
+  const Picture drawn = scene::OverlayPainter(model, camera, style).paint(frame, at(nodes));
+  // What the lens keeps apart is nowhere nearer to the picture's middle than where the line leaves it: there
+  // 1 + 3 k u is a fifth, and a pixel lies 1 + k u as far off as without the lens.
+  const double u = (0.2 - 1.0) / (3.0 * kBarrel);
+  const double least = camera.matrix(1, 2) + camera.matrix(1, 1) * kAcross / kNear * (1.0 + kBarrel * u);
+  int changed = 0;
+  double first_row = camera.height;
+  for (int v = 0; v < frame.height; ++v)
+    for (int x = 0; x < frame.width; ++x) {
+      const auto i = static_cast<std::size_t>(3 * (v * frame.width + x));
+      if ((*frame.bytes)[i] == (*drawn.bytes)[i]) continue;
+      ++changed;
+      first_row = std::min(first_row, static_cast<double>(v));
+    }
+  QVERIFY(changed > 200);
+  QVERIFY2(first_row > least - 5.0, qPrintable(QString::number(first_row)));
 }
 
 void OverlayTest::FrameOfAnotherSizeIsRefused() {

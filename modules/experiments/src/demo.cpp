@@ -63,12 +63,11 @@ bool is_volume(const fs::path& path) {
   return false;
 }
 
-/// @param points camera frame, metres; those behind the camera are left out.
+/// @param points camera frame, metres; those that the lens does not map are left out.
 std::vector<Eigen::Vector2d> on_picture(const Points& points, const Camera& camera) {
-  constexpr double kNear = 5e-3;  // metres
   std::vector<Eigen::Vector2d> line;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
-    if (points(i, 2) > kNear) line.push_back(camera.project(points.row(i).transpose()));
+    if (camera.maps(points.row(i).transpose())) line.push_back(camera.project(points.row(i).transpose()));
   return line;
 }
 

@@ -2,6 +2,8 @@
 #include "glisson/geometry/camera.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 namespace glisson {
 namespace {
@@ -21,7 +23,42 @@ Eigen::Vector2d distort(const Eigen::Matrix<double, 5, 1>& d, const Eigen::Vecto
           y * radial + d[2] * (r2 + 2.0 * y * y) + 2.0 * d[3] * x * y};
 }
 
+/// By how much a step outwards at a slope whose square is u moves on the picture, over what it does in the
+/// middle: the least from the middle to there.
+double least_growth(const Eigen::Matrix<double, 5, 1>& d, double u) {
+  const auto growth = [&d](double v) { return 1.0 + v * (3.0 * d[0] + v * (5.0 * d[1] + v * 7.0 * d[4])); };
+  double least = std::min(1.0, growth(u));
+  const auto look = [&](double v) {
+    if (v > 0.0 && v < u) least = std::min(least, growth(v));
+  };
+  // Where the cubic is flat: a + 2 b v + c v^2 = 0, written so that c may be 0.
+  const double a = 3.0 * d[0], b = 5.0 * d[1], c = 21.0 * d[4], inside = b * b - a * c;
+  if (!(inside >= 0.0)) return least;
+  const double q = -(b + std::copysign(std::sqrt(inside), b));
+  if (c != 0.0) look(q / c);
+  if (q != 0.0) look(a / q);
+  return least;
+}
+
+constexpr double kLeastGrowth = 0.2, kWidest = 4.0;
+
 }  // namespace
+
+bool Camera::maps(const Eigen::Vector3d& p) const {
+  if (!(p.z() > 0.0) || !p.allFinite()) return false;
+  const double u = p.head<2>().squaredNorm() / (p.z() * p.z());
+  return u < kWidest * kWidest && least_growth(distortion, u) >= kLeastGrowth;
+}
+
+double Camera::widest_slope() const {
+  constexpr int kHalvings = 50;
+  double within = 0.0, beyond = kWidest;
+  for (int n = 0; n < kHalvings; ++n) {
+    const double slope = 0.5 * (within + beyond);
+    (least_growth(distortion, slope * slope) >= kLeastGrowth ? within : beyond) = slope;
+  }
+  return beyond;
+}
 
 Eigen::Vector2d Camera::project(const Eigen::Vector3d& p_in_camera) const {
   const Eigen::Vector2d q = distort(distortion, p_in_camera.head<2>() / p_in_camera.z(), nullptr);

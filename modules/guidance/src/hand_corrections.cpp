@@ -82,7 +82,7 @@ SightPull HandCorrections::pull_of(const Correction& correction, const Points& p
   if (!(in_view.z() > 0.0)) refuse("is behind the camera", "Correct what the picture shows");
   // The hand saw a picture that may be older than the last one: how far it dragged is what it said.
   const Eigen::Vector2d target = view.camera.project(in_view) + correction.to - correction.from;
-  if (!view.camera.sees(target))
+  if (!view.camera.maps(in_view) || !view.camera.sees(target))
     refuse("would be outside of the picture", "Drag to where the picture shows it");
   const Eigen::Vector3d sight = view.ray(target);
   const Eigen::Vector3d way = view.eye + sight * sight.dot(place - view.eye) - place;

@@ -57,7 +57,7 @@ class Shown {
     const Points now = bind_points(model_.mesh, in_ct, false).apply(model_.mesh, nodes_);
     std::optional<PickedPlace> best;
     for (const auto& [a, b] : segments) {
-      if (now(a, 2) <= 0.0 || now(b, 2) <= 0.0) continue;
+      if (!camera_.maps(now.row(a).transpose()) || !camera_.maps(now.row(b).transpose())) continue;
       const Eigen::Vector2d p = camera_.project(now.row(a).transpose()),
                             way = camera_.project(now.row(b).transpose()) - p;
       const double length2 = way.squaredNorm();
@@ -138,8 +138,9 @@ std::optional<Eigen::Vector2d> pixel_of(const PatientModel& model, const Points&
       bind_points(model.mesh, place_in_ct.transpose(), false).apply(model.mesh, nodes_in_camera);
   Eigen::Vector3d p = place.row(0).transpose();
   if (view == StereoView::right) p = rig.right_from_left.rotation * p + rig.right_from_left.translation;
-  if (!(p.z() > 0.0)) return std::nullopt;
-  return (view == StereoView::left ? rig.left : rig.right).project(p);
+  const Camera& camera = view == StereoView::left ? rig.left : rig.right;
+  if (!camera.maps(p)) return std::nullopt;
+  return camera.project(p);
 }
 
 }  // namespace glisson::guidance

@@ -242,8 +242,7 @@ std::vector<bool> Theatre::seen(const Points& points_in_camera, int frame) const
   std::vector<bool> seen;
   for (Eigen::Index i = 0; i < points_in_camera.rows(); ++i) {
     const Eigen::Vector3d p = points_in_camera.row(i).transpose();
-    seen.push_back(p.z() > 0.0 && impl_->rig.left.sees(impl_->rig.left.project(p)) &&
-                   impl_->caster->sees(Eigen::Vector3d::Zero(), p, 2e-3));
+    seen.push_back(impl_->rig.left.shows(p) && impl_->caster->sees(Eigen::Vector3d::Zero(), p, 2e-3));
   }
   return seen;
 }
@@ -259,8 +258,7 @@ double Theatre::visible_share(int frame) const {
                         right_eye = rig.right_from_left.inverse().translation;
   const auto sees = [&](const Camera& camera, const Eigen::Vector3d& eye, const Eigen::Vector3d& in_camera,
                         const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
-    return in_camera.z() > 0.0 && n.dot(eye - p) > 0.0 && camera.sees(camera.project(in_camera)) &&
-           impl_->caster->sees(eye, p);
+    return n.dot(eye - p) > 0.0 && camera.shows(in_camera) && impl_->caster->sees(eye, p);
   };
   double seen = 0.0;
   for (int t = 0; t < surface.triangle_count(); ++t) {

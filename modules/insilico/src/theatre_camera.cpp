@@ -98,7 +98,7 @@ class Scout {
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
       const Eigen::Vector3d p = points.row(i).transpose();
       const Eigen::Vector3d q = camera_from_ct.rotation * p + camera_from_ct.translation;
-      if (q.z() > 0.0 && camera_.sees(camera_.project(q)) && caster_.sees(eye, p, 3e-3)) ++seen;
+      if (camera_.shows(q) && caster_.sees(eye, p, 3e-3)) ++seen;
     }
     return static_cast<double>(seen) / static_cast<double>(points.rows());
   }

@@ -72,7 +72,8 @@ Label lesion_at(const OverlayFrame& overlay, const Camera& camera, const Eigen::
   Label best = 0;
   double nearest = 1.0;
   for (const LesionVerdict& verdict : overlay.lesions) {
-    if (std::max(verdict.level, overlay.level()) == Level::withdrawn || verdict.centre.z() <= 0.0) continue;
+    if (std::max(verdict.level, overlay.level()) == Level::withdrawn || !camera.maps(verdict.centre))
+      continue;
     const bool is_region = std::max(verdict.level, overlay.level()) == Level::degraded;
     const double size = verdict.radius + (is_region ? verdict.reach : 0.0);
     const double radius = std::max(kSmallest, size * camera.matrix(0, 0) / verdict.centre.z());

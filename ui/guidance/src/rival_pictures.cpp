@@ -29,7 +29,7 @@ constexpr QSize kSize(100, 62);
 constexpr int kFiner = 2;  ///< drawn so much larger, then made smaller
 const QColor kOrgan(86, 180, 233), kPoints(240, 228, 66);
 
-/// Where a place before the camera comes to lie in a picture; empty: behind it.
+/// Where a place before the camera comes to lie in a picture; empty: the lens does not map it.
 using Projection = std::function<std::optional<QPointF>(const Eigen::Vector3d&)>;
 
 /// As the left camera sees it, its picture cut to the size's shape.
@@ -43,7 +43,7 @@ QImage beneath(const engine::StereoInput& input, const Camera& camera, const QSi
                                      Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   const QPoint cut((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2);
   projection = [camera, scale, cut](const Eigen::Vector3d& p) -> std::optional<QPointF> {
-    if (p.z() <= 0.0) return {};
+    if (!camera.maps(p)) return {};
     const Eigen::Vector2d pixel = scale * camera.project(p);
     return QPointF(pixel.x(), pixel.y()) - cut;
   };

@@ -58,7 +58,8 @@ void draw_ruler(QPainter& painter, const Layout& layout, const guidance::LesionM
                 const Camera& camera, const QColor& colour) {
   constexpr double kTick = 10e-3;
   const Eigen::Vector3d begin = measures.surface_end, end = measures.lesion_end;
-  if (!(measures.shortest > 0.0) || begin.z() < SurfaceRaster::kNear || end.z() < SurfaceRaster::kNear)
+  if (!(measures.shortest > 0.0) || !SurfaceRaster::is_mapped(camera, begin) ||
+      !SurfaceRaster::is_mapped(camera, end))
     return;
   const QPointF from = on_picture(camera, begin), to = on_picture(camera, end);
   const double length = std::hypot(to.x() - from.x(), to.y() - from.y());
@@ -98,7 +99,7 @@ void draw_card_marks(QPainter& painter, const Layout& layout, const LesionCard& 
                      bool with_ruler) {
   const Eigen::Vector3d& centre = card.verdict.centre;
   // A degraded one has its region.
-  if (card.verdict.level == Level::valid && centre.z() > SurfaceRaster::kNear) {
+  if (card.verdict.level == Level::valid && SurfaceRaster::is_mapped(camera, centre)) {
     const double half = 1.5 * card.verdict.radius * camera.matrix(0, 0) / centre.z() + layout.text;
     if (with_ruler) draw_ruler(painter, layout, card.measures, camera, kWords);
     draw_brackets(painter, layout, on_picture(camera, centre), half, colour_of(card.verdict.lesion));

@@ -49,7 +49,7 @@ QPolygonF region_of(const LesionVerdict& verdict, const Camera& camera) {
   constexpr double kChiSquare = 5.9915;  // 95 % of chi-square with two degrees of freedom
   constexpr int kCorners = 72;
   const Eigen::Vector3d& centre = verdict.centre;
-  if (!(centre.z() > SurfaceRaster::kNear) || !(verdict.reach > 0.0)) return {};
+  if (!SurfaceRaster::is_mapped(camera, centre) || !(verdict.reach > 0.0)) return {};
   const Eigen::Matrix<double, 2, 3> answers = jacobian(camera, centre);
   const Eigen::Matrix2d place = kChiSquare * answers * verdict.covariance * answers.transpose();
   const Eigen::Matrix2d body = verdict.radius * verdict.radius * answers * answers.transpose();

@@ -199,7 +199,8 @@ void annotate(Canvas& picture, const OverlayFrame& overlay, const Annotations& a
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   const bool drawn = overlay.level() != Level::withdrawn;
-  if (drawn && style.anterior_margin) draw_margin(painter, layout, annotations.margin);
+  if (drawn && style.anterior_margin)
+    for (const auto& piece : annotations.margin) draw_margin(painter, layout, piece);
   if (drawn)
     for (std::size_t i = 0; i < annotations.regions.size(); ++i)
       draw_region(painter, layout, annotations.lesions[i].lesion, annotations.regions[i]);

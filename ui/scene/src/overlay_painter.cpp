@@ -112,7 +112,7 @@ struct OverlayPainter::Impl {
     if (interest.pointer) return interest.pointer;
     for (const LesionVerdict& verdict : verdicts)
       if (verdict.lesion == interest.lesion && verdict.level == Level::valid &&
-          verdict.centre.z() > SurfaceRaster::kNear)
+          SurfaceRaster::is_mapped(camera, verdict.centre))
         return camera.project(verdict.centre);
     return {};
   }
@@ -133,7 +133,7 @@ struct OverlayPainter::Impl {
     measures = card.measures;
     if (!interest.place || !meter->has(*interest.place)) return card;
     const Eigen::Vector3d place = meter->position(*interest.place);
-    if (place.z() > SurfaceRaster::kNear) card.place = camera.project(place);
+    if (SurfaceRaster::is_mapped(camera, place)) card.place = camera.project(place);
     return card;
   }
   Annotations annotations(const Points& nodes, std::vector<LesionVerdict> lesions,
@@ -148,8 +148,14 @@ struct OverlayPainter::Impl {
     result.lesions = std::move(lesions);
     if (margin.weights.rows() == 0) return result;
     const Points line = margin.apply(model->mesh, nodes);
-    for (Eigen::Index i = 0; i < line.rows(); ++i)
-      if (line(i, 2) > SurfaceRaster::kNear) result.margin.push_back(camera.project(line.row(i).transpose()));
+    bool goes_on = false;
+    for (Eigen::Index i = 0; i < line.rows(); ++i) {
+      const Eigen::Vector3d p = line.row(i).transpose();
+      const bool is_here = SurfaceRaster::is_mapped(camera, p);
+      if (is_here && !goes_on) result.margin.emplace_back();
+      if (is_here) result.margin.back().push_back(camera.project(p));
+      goes_on = is_here;
+    }
     return result;
   }
 };

@@ -15,19 +15,6 @@ constexpr float kLongestEdge = 48.0F;  ///< pixels; the bow of a line so short s
 constexpr double kSmallestDivided = 2e-3;  ///< metres; smaller triangles at the border are dropped whole
 constexpr int kDeepest = 7;                ///< divisions of one triangle
 
-/// The largest slope up to which Brown's radial polynomial grows: beyond, the picture would fold back.
-double largest_slope(const Eigen::Matrix<double, 5, 1>& distortion) {
-  constexpr double kStep = 0.01, kWidest = 4.0;
-  const double k1 = distortion[0], k2 = distortion[1], k3 = distortion[4];
-  double slope = 0.0;
-  while (slope < kWidest) {
-    const double s = (slope + kStep) * (slope + kStep);
-    if (1.0 + 3.0 * k1 * s + 5.0 * k2 * s * s + 7.0 * k3 * s * s * s <= 0.0) break;
-    slope += kStep;
-  }
-  return slope;
-}
-
 /// |cosine| between the surface and the line of sight at each vertex, smooth over the surface.
 void set_facings(const Points& vertices, const Triangles& triangles, std::vector<RasterCorner>& corners) {
   Points normals = Points::Zero(vertices.rows(), 3);
@@ -177,7 +164,7 @@ PixelBox PixelBox::around(int pixels, int picture_width, int picture_height) con
 SurfaceRaster::SurfaceRaster(const Camera& camera) : camera_(camera) {
   require(camera.width > 0 && camera.height > 0 && camera.matrix(0, 0) > 0.0 && camera.matrix(1, 1) > 0.0,
           "a camera has a picture size and focal lengths");
-  const double slope = largest_slope(camera.distortion);
+  const double slope = camera.widest_slope();
   largest_slope_squared_ = slope * slope;
 }
 

@@ -270,10 +270,8 @@ void StereoView::show_points() {
       const Point<CameraFrame> p(Eigen::Vector3d(shown_->points.row(i).transpose()));
       const Eigen::Vector3d seen = side == Side::left ? p.xyz : (rig_->right_from_left * p).xyz;
       const Camera& camera = side == Side::left ? rig_->left : rig_->right;
-      if (seen.z() <= 0.0) continue;
-      const Eigen::Vector2d pixel = camera.project(seen);
-      if (!camera.sees(pixel)) continue;
-      dots.push_back(pixel);
+      if (!camera.shows(seen)) continue;
+      dots.push_back(camera.project(seen));
       features.push_back(shown_->feature(i));
     }
     editor(side).set_dots(std::move(dots), std::move(features));

@@ -16,10 +16,24 @@ struct Camera {
   /// k1 k2 p1 p2 k3.
   Eigen::Matrix<double, 5, 1> distortion = Eigen::Matrix<double, 5, 1>::Zero();
 
+  /// Whether a point in the camera's frame lies before the lens and where the lens keeps directions apart.
+  /// The polynomial of many calibrations turns back outside of the picture, of some within it: from there on
+  /// project() gives the pixel of something else. Where a step outwards has shrunk to a fifth of what it is
+  /// in the middle, a pixel tells nearly nothing of a direction: that is the limit. By the radial terms
+  /// alone.
+  bool maps(const Eigen::Vector3d& p_in_camera) const;
+  /// The tangent of the angle from the axis up to which maps() holds; 4 where it holds everywhere.
+  double widest_slope() const;
+  /// Whether a point in the camera's frame is in the picture: maps(), and within the borders.
+  bool shows(const Eigen::Vector3d& p_in_camera) const {
+    return maps(p_in_camera) && sees(project(p_in_camera));
+  }
+
   /// Pixel of a point in the camera's frame (metres; only directions matter). @pre z > 0.
   Eigen::Vector2d project(const Eigen::Vector3d& p_in_camera) const;
   /// The ray (x, y, 1) through a pixel, distortion removed by Newton's method.
   Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const;
+  /// Whether a pixel is within the borders. Of a point, ask shows().
   bool sees(const Eigen::Vector2d& pixel) const {
     return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < width - 0.5 && pixel.y() < height - 0.5;
   }

@@ -83,8 +83,8 @@ class SurfaceRaster {
   /// Takes everything away, in the time of what was drawn. A layer of another camera, or a fresh one, is made
   /// anew.
   void clear(SurfaceLayer& layer) const;
-  /// @param vertices camera frame, metres. What is closer than 5 mm, or so far off the axis that the lens's
-  /// polynomial no longer grows, is not drawn. @pre kind is not 0.
+  /// @param vertices camera frame, metres. What is closer than 5 mm, or so far off the axis that the lens no
+  /// longer keeps directions apart (Camera::maps()), is not drawn. @pre kind is not 0.
   void draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind, SurfaceLayer& layer) const;
 
   /// The first half of draw(): where the vertices are on the picture. Surfaces may be projected side by side.
@@ -97,6 +97,10 @@ class SurfaceRaster {
                 const RowBand& band, SurfaceLayer& layer) const;
 
   static constexpr double kNear = 0.005;  ///< metres
+  /// Whether a point (camera frame, metres) has a place on the picture or beside it.
+  static bool is_mapped(const Camera& camera, const Eigen::Vector3d& p) {
+    return p.z() > kNear && camera.maps(p);
+  }
 
  private:
   class BandFiller;
