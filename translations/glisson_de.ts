@@ -2968,6 +2968,14 @@
         <translation>wurde nur an %1 Stellen gesehen, %2 sind nötig</translation>
     </message>
     <message>
+        <source>lies behind the camera (%1 of %2 points)</source>
+        <translation>liegt hinter der Kamera (%1 von %2 Punkten)</translation>
+    </message>
+    <message>
+        <source>Turn it by 180 degrees about x: here y runs down and z forward</source>
+        <translation>Drehen Sie sie um 180 Grad um x: hier läuft y nach unten und z nach vorn</translation>
+    </message>
+    <message>
         <source>is not 16 numbers</source>
         <translation>sind nicht 16 Zahlen</translation>
     </message>
@@ -6211,6 +6219,22 @@
     <message>
         <source>%1: too few livers show it; taken over from the atlas &apos;%2&apos;.</source>
         <translation>%1: Zu wenige Lebern zeigen es; aus dem Atlas „%2“ übernommen.</translation>
+    </message>
+    <message>
+        <source>The image ends inside the liver: %1 cm² of its surface are a cut and no surface. Take a whole CT, or register nothing of what lies there.</source>
+        <translation>Das Bild endet in der Leber: %1 cm² ihrer Oberfläche sind ein Schnitt und keine Oberfläche. Nehmen Sie ein ganzes CT, oder registrieren Sie nichts, was dort liegt.</translation>
+    </message>
+    <message>
+        <source>Points of the cloud that were there twice were left out: %1.</source>
+        <translation>Doppelte Punkte der Wolke wurden weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.</source>
+        <translation>Punkte der Wolke am Objektiv oder dahinter wurden weggelassen: %1. Ein solcher Punkt hat keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the calibration (distance of the cameras, zoom) and the unit of the cloud.</source>
+        <translation>Das Organ müsste um %1 % größer oder kleiner sein (Grenze %2 %), um zu den Punkten zu passen: Prüfen Sie die Kalibrierung (Abstand der Kameras, Zoom) und die Einheit der Wolke.</translation>
     </message>
     <message>
         <source>The organ is expected to be off by %1 mm on average (limit %2 mm).</source>

@@ -2968,6 +2968,14 @@
         <translation>n’a été vu qu’en %1 endroits, il en faut %2</translation>
     </message>
     <message>
+        <source>lies behind the camera (%1 of %2 points)</source>
+        <translation>se trouve derrière la caméra (%1 points sur %2)</translation>
+    </message>
+    <message>
+        <source>Turn it by 180 degrees about x: here y runs down and z forward</source>
+        <translation>Tournez-le de 180 degrés autour de x : ici y va vers le bas et z vers l&apos;avant</translation>
+    </message>
+    <message>
         <source>is not 16 numbers</source>
         <translation>n’est pas 16 nombres</translation>
     </message>
@@ -6211,6 +6219,22 @@
     <message>
         <source>%1: too few livers show it; taken over from the atlas &apos;%2&apos;.</source>
         <translation>%1 : trop peu de foies le montrent ; repris de l&apos;atlas « %2 ».</translation>
+    </message>
+    <message>
+        <source>The image ends inside the liver: %1 cm² of its surface are a cut and no surface. Take a whole CT, or register nothing of what lies there.</source>
+        <translation>L&apos;image s&apos;arrête dans le foie : %1 cm² de sa surface sont une coupe et non une surface. Prenez un scanner entier, ou ne recalez rien de ce qui s&apos;y trouve.</translation>
+    </message>
+    <message>
+        <source>Points of the cloud that were there twice were left out: %1.</source>
+        <translation>Des points en double du nuage ont été écartés : %1.</translation>
+    </message>
+    <message>
+        <source>Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.</source>
+        <translation>Des points du nuage situés à l&apos;objectif ou derrière lui ont été écartés : %1. Un tel point n&apos;a pas de profondeur.</translation>
+    </message>
+    <message>
+        <source>The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the calibration (distance of the cameras, zoom) and the unit of the cloud.</source>
+        <translation>L&apos;organe devrait être plus grand ou plus petit de %1 % (limite : %2 %) pour correspondre aux points : vérifiez l&apos;étalonnage (distance des caméras, zoom) et l&apos;unité du nuage.</translation>
     </message>
     <message>
         <source>The organ is expected to be off by %1 mm on average (limit %2 mm).</source>

@@ -113,6 +113,9 @@ LabelledCloud without_known_noise(LabelledCloud cloud) {
 
 void mirror(LabelledCloud& cloud) { cloud.points.col(0) *= -1.0; }
 
+/// As stereo sees it by a calibration whose cameras stand `factor` times too far apart.
+void scale(LabelledCloud& cloud, double factor) { cloud.points *= factor; }
+
 /// The margin is marked across the middle of the patch, the notch at its far end.
 void mislabel(LabelledCloud& cloud) {
   const Eigen::RowVector3d middle = cloud.points.colwise().mean();
@@ -181,6 +184,10 @@ const char* registration_fault_code(RegistrationFault fault) {
       return "wrong labels";
     case RegistrationFault::wrong_start:
       return "wrong start";
+    case RegistrationFault::larger:
+      return "larger";
+    case RegistrationFault::smaller:
+      return "smaller";
   }
   return "unknown";
 }
@@ -197,6 +204,8 @@ LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationSta
   LabelledCloud cloud = shown.by(handling).patch(seen(share, noise_mm, seed)).cloud;
   if (fault == RegistrationFault::mirrored) mirror(cloud);
   if (fault == RegistrationFault::wrong_labels) mislabel(cloud);
+  if (fault == RegistrationFault::larger) scale(cloud, 1.2);
+  if (fault == RegistrationFault::smaller) scale(cloud, 1.0 / 1.2);
   if (fault == RegistrationFault::foreign_organ) return stomach(cloud.size(), std::mt19937_64(seed));
   return without_known_noise(std::move(cloud));
 }

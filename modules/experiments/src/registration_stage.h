@@ -50,12 +50,14 @@ enum class RegistrationFault {
   mirrored,
   foreign_organ,
   wrong_labels,
-  wrong_start
+  wrong_start,
+  larger,  ///< by a fifth: by a calibration whose cameras stand too far apart
+  smaller  ///< by a sixth
 };
 inline constexpr RegistrationFault kRegistrationFaults[] = {
-    RegistrationFault::none,       RegistrationFault::noise,         RegistrationFault::another_patient,
-    RegistrationFault::mirrored,   RegistrationFault::foreign_organ, RegistrationFault::wrong_labels,
-    RegistrationFault::wrong_start};
+    RegistrationFault::none,        RegistrationFault::noise,         RegistrationFault::another_patient,
+    RegistrationFault::mirrored,    RegistrationFault::foreign_organ, RegistrationFault::wrong_labels,
+    RegistrationFault::wrong_start, RegistrationFault::larger,        RegistrationFault::smaller};
 const char* registration_fault_code(RegistrationFault fault);
 /// Whether the cloud shows this patient's liver at all: otherwise any registration is wrong.
 bool shows_the_organ(RegistrationFault fault);

@@ -277,12 +277,14 @@ class Run {
   Run(const PatientModel& model, const LabelledCloud& cloud, const RegisterOptions& options,
       const KnownOperations& known, const RunContext& context)
       : model_(model),
-        cloud_(cloud),
         options_(shared_out(options)),
         known_(known),
         context_(context),
         elastic_(elastic_of(options, model)) {
     elastic_.shape.threads = options_.threads;
+    const bool from_camera = options_.start != RegisterOptions::Start::none;
+    cloud_ = sound_cloud(cloud, from_camera, examined_.cloud_faults);
+    for (LabelledCloud& look : options_.looks) look = sound_cloud(look, from_camera, examined_.cloud_faults);
   }
 
   Cancellable<ExaminedRegistration> run() {
@@ -454,7 +456,7 @@ class Run {
 
   const PatientModel& model_;
   LabelledCloud cloud_;  ///< with all looks
-  const RegisterOptions options_;
+  RegisterOptions options_;
   const KnownOperations& known_;
   const RunContext& context_;
   ElasticOptions elastic_;

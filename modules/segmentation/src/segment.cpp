@@ -6,6 +6,7 @@
 
 #include "bodies.h"
 #include "glisson/core/error.h"
+#include "glisson/patient/cut_organ.h"
 #include "glisson/volume/io.h"
 #include "live_view.h"
 #include "mr_scale.h"
@@ -213,6 +214,7 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   const std::vector<std::uint8_t> liver = inside_liver(labels);
   report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
                     labels.voxels.grid().voxel_volume_mm3();
+  if (auto note = cut_note(labels.voxels.grid(), liver)) report.notes.push_back(std::move(*note));
   report.portal_ml = ml_of(labels.voxels, structure::kPortalVein);
   report.hepatic_ml = ml_of(labels.voxels, structure::kHepaticVeins);
   for (std::size_t n = 0; n < seeds.lesions.size(); ++n)

@@ -20,6 +20,9 @@ class Notes {
   static QHash<QString, QString> sentences() {
     return {
         {"liver.small", tr("The liver is smaller than 400 ml: check it in the slices.")},
+        {"liver.cut_off", tr("The image ends inside the liver: %1 cm² of its surface are a cut and no "
+                             "surface. Take a whole CT, or "
+                             "register nothing of what lies there.")},
         {"seed.liver_apart",
          tr("Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
             "between the two, or take it away.")},
@@ -136,6 +139,12 @@ class Notes {
         {"many_outliers", tr("Many points do not fit the model and were left aside.")},
         {"residual_large", tr("The model stays more than 5 mm from the points on average.")},
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
+        {"cloud.repeated", tr("Points of the cloud that were there twice were left out: %1.")},
+        {"cloud.without_depth",
+         tr("Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.")},
+        {"size_differs",
+         tr("The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the "
+            "calibration (distance of the cameras, zoom) and the unit of the cloud.")},
         {"cloud_noisy", tr("The cloud's points scatter by %1 mm about a smooth surface (limit %2 mm).")},
         {"expected_error_large", tr("The organ is expected to be off by %1 mm on average (limit %2 mm).")},
         {"elsewhere_probable",

@@ -25,11 +25,13 @@ namespace {
 
 std::vector<std::string> notes_of(const CaseState& state, const PatientModel& model,
                                   const registration::RegisterOptions& options,
-                                  const Registration& registration) {
+                                  const registration::ExaminedRegistration& examined) {
+  const Registration& registration = examined.registered.registration;
   std::vector<std::string> notes = registration.doubts;
   const auto add = [&notes](std::vector<std::string> more) {
     notes.insert(notes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
+  add(examined.cloud_faults.notes());
   for (const Label gone : fem::lesions_not_there(options.tissue, model))
     notes.push_back("tissue.no_lesion " + structure_name(gone));
   add(landmark_notes(state));
@@ -55,7 +57,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
   if (!examined) return {};
   registration::Registered& made = examined->registered;
-  Applied applied{state, figures_of(*examined), notes_of(state, model, options, made.registration)};
+  Applied applied{state, figures_of(*examined), notes_of(state, model, options, *examined)};
   if (made.operations && made.operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
         state[part::model], state[part::landmarks], registration::operation_of(options, model),

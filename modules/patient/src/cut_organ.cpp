@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/patient/cut_organ.h"
+
+#include <cmath>
+
+#include "glisson/core/error.h"
+
+namespace glisson {
+
+double cut_area_mm2(const VolumeGrid& grid, const std::vector<std::uint8_t>& organ) {
+  const Eigen::Vector3i& size = grid.size;
+  require(organ.size() == static_cast<std::size_t>(size.cast<long>().prod()),
+          "an organ has the image's voxels");
+  double area = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double face = grid.spacing_mm[u] * grid.spacing_mm[v];
+    for (const int side : {0, size[axis] - 1}) {
+      Eigen::Vector3i at;
+      at[axis] = side;
+      for (at[u] = 0; at[u] < size[u]; ++at[u])
+        for (at[v] = 0; at[v] < size[v]; ++at[v])
+          area += organ[static_cast<std::size_t>(grid.offset(at))] != 0 ? face : 0.0;
+    }
+  }
+  return area;
+}
+
+std::optional<std::string> cut_note(const VolumeGrid& grid, const std::vector<std::uint8_t>& liver) {
+  constexpr double kTouches = 100.0;  // mm^2
+  const double area = cut_area_mm2(grid, liver);
+  if (area < kTouches) return std::nullopt;
+  return "liver.cut_off " + std::to_string(std::lround(1e-2 * area));
+}
+
+}  // namespace glisson

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/patient/sound_cloud.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "glisson/core/error.h"
+
+namespace glisson {
+namespace {
+
+constexpr double kAtTheLens = 5e-3;  ///< metres
+
+/// The first of each place, look and feature, in the cloud's order.
+std::vector<int> without_repeated(const LabelledCloud& cloud) {
+  std::vector<int> order(static_cast<std::size_t>(cloud.size()));
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int i) {
+    return std::tuple(cloud.points(i, 0), cloud.points(i, 1), cloud.points(i, 2), cloud.look(i),
+                      cloud.feature(i));
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+  order.erase(std::unique(order.begin(), order.end(), [&](int a, int b) { return key(a) == key(b); }),
+              order.end());
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+LabelledCloud chosen(const LabelledCloud& cloud, const std::vector<int>& rows) {
+  LabelledCloud part;
+  part.points = cloud.points(rows, Eigen::all);
+  if (cloud.normals.rows() > 0) part.normals = cloud.normals(rows, Eigen::all);
+  part.eyes = cloud.eyes;
+  for (const int i : rows) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!cloud.features.empty()) part.features.push_back(cloud.features[at]);
+    if (!cloud.sigma.empty()) part.sigma.push_back(cloud.sigma[at]);
+    if (!cloud.looks.empty()) part.looks.push_back(cloud.looks[at]);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<std::string> CloudFaults::notes() const {
+  std::vector<std::string> codes;
+  if (repeated > 0) codes.push_back("cloud.repeated " + std::to_string(repeated));
+  if (without_depth > 0) codes.push_back("cloud.without_depth " + std::to_string(without_depth));
+  return codes;
+}
+
+LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFaults& faults) {
+  // What is not a number is refused where clouds are read, and by prepare_cloud(): it has no order here.
+  if (!cloud.points.allFinite()) return cloud;
+  std::vector<int> rows = without_repeated(cloud);
+  const int repeated = cloud.size() - static_cast<int>(rows.size());
+  int behind = 0, without_depth = 0;
+  if (from_camera) {
+    const auto z = [&](int i) { return cloud.points(i, 2); };
+    behind = static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](int i) { return z(i) < 0.0; }));
+    if (2 * behind > static_cast<int>(rows.size()))
+      throw InputError("cloud", "z",
+                       "lies behind the camera (" + std::to_string(behind) + " of " +
+                           std::to_string(rows.size()) + " points)",
+                       "Turn it by 180 degrees about x: here y runs down and z forward");
+    without_depth = static_cast<int>(std::erase_if(rows, [&](int i) { return z(i) < kAtTheLens; }));
+  }
+  faults.repeated += repeated;
+  faults.without_depth += without_depth;
+  return repeated + without_depth > 0 ? chosen(cloud, rows) : cloud;
+}
+
+}  // namespace glisson
