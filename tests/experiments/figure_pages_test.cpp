@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages of packaging/figures that proofs have written: a page that names other aims, or other bounds,
+// than the program does was written by another program, and its verdicts are another's.
+#include <QFile>
+#include <QtTest>
+
+#include "glisson/experiments/atlas_proof.h"
+#include "glisson/experiments/live_proof.h"
+#include "glisson/experiments/patient_proof.h"
+#include "glisson/experiments/pulled_proof.h"
+#include "glisson/experiments/registration_proof.h"
+#include "glisson/experiments/stereo_proof.h"
+
+using namespace glisson;
+using namespace glisson::experiments;
+
+namespace {
+
+/// What is wanted and how much of it, a line each, as the page has them: "Dice of the liver: >= 0.930".
+QStringList aims_on_page(const QString& page) {
+  QStringList aims;
+  bool is_table = false;
+  for (const QString& line : page.split('\n')) {
+    if (line.startsWith("| what |")) is_table = true;
+    if (!line.startsWith('|')) is_table = false;
+    const QStringList cells = line.split('|');
+    if (is_table && cells.size() == 7 && !line.startsWith("| what") && !line.startsWith("|---"))
+      aims << cells[1].trimmed() + ": " + cells[4].trimmed();
+  }
+  return aims;
+}
+
+QStringList aims_of_program(const std::vector<Aim>& aims) {
+  QStringList lines;
+  for (const Aim& aim : aims)
+    lines << QString::fromStdString(aim.what) + ": " +
+                 (aim.sense == Aim::Sense::at_least ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
+                 QString::number(aim.bound, 'f', aim.decimals);
+  return lines;
+}
+
+}  // namespace
+
+class FigurePagesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void EachPageHasTheAimsOfTheProgram_data() {
+    QTest::addColumn<QStringList>("aims");
+    QTest::addColumn<bool>("is_wanted");
+    QTest::newRow("patient") << aims_of_program(patient_aims()) << true;
+    QTest::newRow("stereo") << aims_of_program(stereo_aims()) << true;
+    QTest::newRow("live") << aims_of_program(live_aims()) << true;
+    QTest::newRow("atlas") << aims_of_program(atlas_aims()) << true;
+    QTest::newRow("pulled") << aims_of_program(pulled_aims()) << true;
+    QTest::newRow("registration") << aims_of_program(registration_aims()) << false;
+  }
+  void EachPageHasTheAimsOfTheProgram() {
+    QFETCH(QStringList, aims);
+    QFETCH(bool, is_wanted);
+    QVERIFY(aims.size() > 3);
+    QFile file(qEnvironmentVariable("GLISSON_SOURCE_DIR") + "/packaging/figures/" + QTest::currentDataTag() +
+               ".md");
+    if (!is_wanted && !file.exists()) return;
+    QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+    const QStringList found = aims_on_page(QString::fromUtf8(file.readAll()));
+    for (const QString& aim : aims)
+      QVERIFY2(found.contains(aim), qPrintable("not on the page: " + aim + ". Run the proof again"));
+    QCOMPARE(found.size(), aims.size());
+  }
+};
+
+QTEST_GUILESS_MAIN(FigurePagesTest)
+#include "figure_pages_test.moc"
