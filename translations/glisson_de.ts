@@ -5925,6 +5925,10 @@
         <translation>Das Netz hat %1 Knoten, nicht so viele wie gewünscht.</translation>
     </message>
     <message>
+        <source>The file %1 was not used: %2 shows the same structure.</source>
+        <translation>Die Datei %1 wurde nicht verwendet: %2 zeigt dieselbe Struktur.</translation>
+    </message>
+    <message>
         <source>The file %1 was not used: its name tells no structure.</source>
         <translation>Die Datei %1 wurde nicht verwendet: Ihr Name nennt keine Struktur.</translation>
     </message>

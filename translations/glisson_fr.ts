@@ -5925,6 +5925,10 @@
         <translation>Le maillage a %1 sommets, pas le nombre demandé.</translation>
     </message>
     <message>
+        <source>The file %1 was not used: %2 shows the same structure.</source>
+        <translation>Le fichier %1 n&apos;a pas été utilisé : %2 montre la même structure.</translation>
+    </message>
+    <message>
         <source>The file %1 was not used: its name tells no structure.</source>
         <translation>Le fichier %1 n&apos;a pas été utilisé : son nom ne désigne aucune structure.</translation>
     </message>

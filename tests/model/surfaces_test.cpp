@@ -104,7 +104,7 @@ void SurfacesTest::SecondFormatIsIgnoredAndReported() {
   save(folder.path() / "liver.vtk", kLiver);
   const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
   QVERIFY(std::abs(volume(set.liver) / volume(kLiver) - 1.0) < 1e-9);
-  QVERIFY(says(set.notes, "surfaces.ignored liver.ply"));
+  QVERIFY(says(set.notes, "surfaces.of_one_name liver.ply"));
 }
 
 void SurfacesTest::OneFileIsTheLiver() {

@@ -76,9 +76,14 @@ std::map<std::string, fs::path> files_in(const fs::path& folder, std::vector<std
     return std::pair(a.stem(), rank(a)) < std::pair(b.stem(), rank(b));
   });
   std::map<std::string, fs::path> chosen;
-  for (const fs::path& file : files)
-    if (!meaning_of(file.stem().string()) || !chosen.emplace(file.stem().string(), file).second)
-      notes.push_back("surfaces.ignored " + file.filename().string());
+  for (const fs::path& file : files) {
+    const std::string stem = file.stem().string(), name = file.filename().string();
+    if (!meaning_of(stem)) {
+      notes.push_back("surfaces.ignored " + name);
+    } else if (const auto [taken, is_first] = chosen.emplace(stem, file); !is_first) {
+      notes.push_back("surfaces.of_one_name " + name + " " + taken->second.filename().string());
+    }
+  }
   return chosen;
 }
 

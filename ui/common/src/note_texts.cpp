@@ -72,6 +72,7 @@ class Notes {
         {"mesh.boundary_not_manifold", tr("The mesh's surface is not a clean closed one.")},
         {"mesh.sliver_deg", tr("The flattest element has an angle of %1°.")},
         {"mesh.vertices_off_target", tr("The mesh has %1 vertices, not as many as asked for.")},
+        {"surfaces.of_one_name", tr("The file %1 was not used: %2 shows the same structure.")},
         {"surfaces.ignored", tr("The file %1 was not used: its name tells no structure.")},
         {"landmarks.no_anterior_margin",
          tr("No anterior margin was found: the registration has one feature less.")},
