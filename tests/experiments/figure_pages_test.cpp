@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of packaging/figures that proofs have written: a page that names other aims, or other bounds,
-// than the program does was written by another program, and its verdicts are another's.
+// than the program does was written by another program, and its verdicts are another's: then it says so.
 #include <QFile>
 #include <QtTest>
 
@@ -62,7 +62,10 @@ class FigurePagesTest : public QObject {
                ".md");
     if (!is_wanted && !file.exists()) return;
     QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
-    const QStringList found = aims_on_page(QString::fromUtf8(file.readAll()));
+    const QString page = QString::fromUtf8(file.readAll());
+    const QStringList found = aims_on_page(page);
+    QVERIFY(found.size() > 3);
+    if (page.contains(QStringLiteral("**Of an earlier program**"))) return;
     for (const QString& aim : aims)
       QVERIFY2(found.contains(aim), qPrintable("not on the page: " + aim + ". Run the proof again"));
     QCOMPARE(found.size(), aims.size());
