@@ -74,6 +74,7 @@ class RegisterModelTest : public QObject {
   void AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate();
   void AutomaticStartIsTheRigidOne();
   void NothingIsJudgedByAPlaceThatNobodyHasGiven();
+  void WhatIsNoPointOfTheCloudChangesNothing();
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
   void WhatIsLeftEmptyTheModelDecides();
@@ -241,6 +242,30 @@ void RegisterModelTest::NothingIsJudgedByAPlaceThatNobodyHasGiven() {
   // Normals of the cloud's own need no camera.
   cloud.normals = -vertex_normals(bare.surface.mesh);
   QVERIFY(doubts_turned(examined(RegisterOptions::Start::none)));
+}
+
+void RegisterModelTest::WhatIsNoPointOfTheCloudChangesNothing() {
+  RegisterOptions options = brief();
+  options.operations = false;
+  const auto made = register_and_examine(model_, cloud_, options, RunContext()).value();
+  QVERIFY(made.cloud_faults.notes().empty());
+  LabelledCloud spoilt = cloud_;  // each point twenty times, and as many zeros
+  const Eigen::Index n = cloud_.points.rows();
+  spoilt.points = Points::Zero(21 * n, 3);
+  spoilt.points.topRows(20 * n) = cloud_.points.replicate(20, 1);
+  spoilt.normals.resize(0, 3);
+  spoilt.sigma.clear();
+  LabelledCloud bare = cloud_;
+  bare.normals.resize(0, 3);
+  bare.sigma.clear();
+  if (!cloud_.features.empty())
+    for (Eigen::Index i = n; i < 21 * n; ++i)
+      spoilt.features.push_back(i < 20 * n ? cloud_.feature(static_cast<int>(i % n)) : Feature::surface);
+  const auto expected = register_and_examine(model_, bare, options, RunContext()).value();
+  const auto found = register_and_examine(model_, spoilt, options, RunContext()).value();
+  QVERIFY(found.registered.registration.nodes_in_camera == expected.registered.registration.nodes_in_camera);
+  QCOMPARE(found.cloud_faults.repeated, static_cast<int>(20 * n - 1));
+  QCOMPARE(found.cloud_faults.without_depth, 1);
 }
 
 void RegisterModelTest::OptionsThatAreUsedAreChecked() {
