@@ -12,10 +12,8 @@ namespace {
 
 constexpr double kAtTheLens = 5e-3;  ///< metres
 
-/// The first of each place, look and feature, in the cloud's order.
-std::vector<int> without_repeated(const LabelledCloud& cloud) {
-  std::vector<int> order(static_cast<std::size_t>(cloud.size()));
-  std::iota(order.begin(), order.end(), 0);
+/// Of these points the first of each place, look and feature, in the cloud's order.
+std::vector<int> without_repeated(const LabelledCloud& cloud, std::vector<int> order) {
   const auto key = [&](int i) {
     return std::tuple(cloud.points(i, 0), cloud.points(i, 1), cloud.points(i, 2), cloud.look(i),
                       cloud.feature(i));
@@ -25,6 +23,18 @@ std::vector<int> without_repeated(const LabelledCloud& cloud) {
               order.end());
   std::sort(order.begin(), order.end());
   return order;
+}
+
+/// Takes out what lies at the lens or behind it. @return how many.
+int take_out_without_depth(const LabelledCloud& cloud, std::vector<int>& rows) {
+  const auto z = [&](int i) { return cloud.points(i, 2); };
+  const auto behind = std::count_if(rows.begin(), rows.end(), [&](int i) { return z(i) < 0.0; });
+  if (2 * behind > static_cast<std::ptrdiff_t>(rows.size()))
+    throw InputError("cloud", "z",
+                     "lies behind the camera (" + std::to_string(behind) + " of " +
+                         std::to_string(rows.size()) + " points)",
+                     "Turn it by 180 degrees about x: here y runs down and z forward");
+  return static_cast<int>(std::erase_if(rows, [&](int i) { return z(i) < kAtTheLens; }));
 }
 
 LabelledCloud chosen(const LabelledCloud& cloud, const std::vector<int>& rows) {
@@ -53,21 +63,14 @@ std::vector<std::string> CloudFaults::notes() const {
 LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFaults& faults) {
   // What is not a number is refused where clouds are read, and by prepare_cloud(): it has no order here.
   if (!cloud.points.allFinite()) return cloud;
-  std::vector<int> rows = without_repeated(cloud);
-  const int repeated = cloud.size() - static_cast<int>(rows.size());
-  int behind = 0, without_depth = 0;
-  if (from_camera) {
-    const auto z = [&](int i) { return cloud.points(i, 2); };
-    behind = static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](int i) { return z(i) < 0.0; }));
-    if (2 * behind > static_cast<int>(rows.size()))
-      throw InputError("cloud", "z",
-                       "lies behind the camera (" + std::to_string(behind) + " of " +
-                           std::to_string(rows.size()) + " points)",
-                       "Turn it by 180 degrees about x: here y runs down and z forward");
-    without_depth = static_cast<int>(std::erase_if(rows, [&](int i) { return z(i) < kAtTheLens; }));
-  }
-  faults.repeated += repeated;
+  std::vector<int> rows(static_cast<std::size_t>(cloud.size()));
+  std::iota(rows.begin(), rows.end(), 0);
+  const int without_depth = from_camera ? take_out_without_depth(cloud, rows) : 0;
+  const std::size_t deep = rows.size();
+  rows = without_repeated(cloud, std::move(rows));
+  const int repeated = static_cast<int>(deep - rows.size());
   faults.without_depth += without_depth;
+  faults.repeated += repeated;
   return repeated + without_depth > 0 ? chosen(cloud, rows) : cloud;
 }
 

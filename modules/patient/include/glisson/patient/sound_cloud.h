@@ -20,7 +20,7 @@ struct CloudFaults {
 /// be seen, and would pull the organ there.
 /// @param from_camera the cloud is in the left camera's frame: what lies less than 5 mm before the lens goes.
 /// @param faults what was taken out is added.
-/// @throws InputError half of the points and more lie behind the lens: the cloud is in another convention.
+/// @throws InputError more than half of the points lie behind the lens: the cloud is in another convention.
 LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFaults& faults);
 
 }  // namespace glisson
