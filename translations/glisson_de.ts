@@ -6241,6 +6241,10 @@
         <translation>Das Organ müsste um %1 % größer oder kleiner sein (Grenze %2 %), um zu den Punkten zu passen: Prüfen Sie die Kalibrierung (Abstand der Kameras, Zoom) und die Einheit der Wolke.</translation>
     </message>
     <message>
+        <source>The CT ends inside the liver (%1 cm² are a cut): there the model has a surface that the organ has not.</source>
+        <translation>Das CT endet in der Leber (%1 cm² sind ein Schnitt): Dort hat das Modell eine Oberfläche, die das Organ nicht hat.</translation>
+    </message>
+    <message>
         <source>The organ is expected to be off by %1 mm on average (limit %2 mm).</source>
         <translation>Das Organ liegt voraussichtlich im Mittel um %1 mm falsch (Grenze %2 mm).</translation>
     </message>

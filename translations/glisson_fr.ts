@@ -6241,6 +6241,10 @@
         <translation>L&apos;organe devrait être plus grand ou plus petit de %1 % (limite : %2 %) pour correspondre aux points : vérifiez l&apos;étalonnage (distance des caméras, zoom) et l&apos;unité du nuage.</translation>
     </message>
     <message>
+        <source>The CT ends inside the liver (%1 cm² are a cut): there the model has a surface that the organ has not.</source>
+        <translation>Le scanner s&apos;arrête dans le foie (%1 cm² sont une coupe) : le modèle y a une surface que l&apos;organe n&apos;a pas.</translation>
+    </message>
+    <message>
         <source>The organ is expected to be off by %1 mm on average (limit %2 mm).</source>
         <translation>L&apos;organe est sans doute décalé de %1 mm en moyenne (limite : %2 mm).</translation>
     </message>

@@ -37,7 +37,21 @@ class RegisterTest : public QObject {
   void OfOtherPointsThereIsNoFormerOne();
   void TheFormerRegistrationIsKeptWithTheCase();
   void ABareMeshIsRegisteredAsWhatItIs();
+  void AModelThatEndsWithTheImageIsDoubted();
 };
+
+void RegisterTest::AModelThatEndsWithTheImageIsDoubted() {
+  const auto doubts_with = [](const std::string& note) {
+    CaseState state = phantom_case();
+    auto cut = std::make_shared<model::BuiltModel>(*state[part::model]);
+    cut->report.notes.push_back(note);
+    state[part::model] = std::move(cut);
+    return after(state, register_on_few())[part::registration]->doubts;
+  };
+  const auto told = doubts_with("liver.cut_off 166"), untold = doubts_with("liver.cut_off 3");
+  QCOMPARE(std::count(told.begin(), told.end(), std::string("organ_cut 166")), 1);
+  QCOMPARE(told.size(), untold.size() + 1);
+}
 
 void RegisterTest::OperationsAreSimulatedOnceForAModel() {
   const CaseState first = after(phantom_case(), register_on_few());

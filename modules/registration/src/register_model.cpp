@@ -449,6 +449,7 @@ class Run {
   void tell(const Verdict& verdict) {
     std::vector<std::string>& doubts = registration_.doubts;
     doubts.insert(doubts.begin(), start_.doubts.begin(), start_.doubts.end());
+    doubts.insert(doubts.end(), options_.model_doubts.begin(), options_.model_doubts.end());
     doubts.insert(doubts.end(), verdict.doubts.begin(), verdict.doubts.end());
     if (verdict.refused) doubts.insert(doubts.begin(), kRefused);
     tell_once(doubts);

@@ -143,6 +143,9 @@ class Notes {
         {"cloud.repeated", tr("Points of the cloud that were there twice were left out: %1.")},
         {"cloud.without_depth",
          tr("Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.")},
+        {"organ_cut", tr("The CT ends inside the liver (%1 cm² are a cut): there the model has a surface "
+                         "that the organ has "
+                         "not.")},
         {"size_differs",
          tr("The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the "
             "calibration (distance of the cameras, zoom) and the unit of the cloud.")},

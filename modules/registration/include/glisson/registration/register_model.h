@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "glisson/core/codes.h"
 #include "glisson/core/run_context.h"
@@ -66,6 +68,8 @@ struct RegisterOptions {
   /// A person has placed or accepted the model's landmarks; false: they were only detected, which says
   /// nothing of the material of a bare mesh.
   bool landmarks_are_placed = true;
+  /// What is doubted of the model itself, as codes: each registration of it has these doubts, too.
+  std::vector<std::string> model_doubts;
   /// Of the springs. Empty: options_for() this model.
   std::optional<ElasticOptions> elastic;
   ContactForceOptions forces;
