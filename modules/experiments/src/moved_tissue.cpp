@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 
 #include "cv_picture.h"
 #include "glisson/core/statistics.h"
@@ -159,41 +158,28 @@ TetMesh slab(const TriangleMesh& top, int columns, int rows, int layers, double 
 /// One view of the pair, drawn anew where the sheet has moved to.
 class MovedView {
  public:
-  /// @param from_left from the left camera to this view's.
-  MovedView(const Picture& picture, const Camera& camera, insilico::RayTable rays,
-            const Eigen::Isometry3d& from_left)
+  MovedView(const Picture& picture, const Camera& camera, insilico::RayTable rays, TriangleMesh rest)
       : picture_(view_of(picture)),
+        tissue_(picture_),
         camera_(camera),
         rays_(std::move(rays)),
-        from_left_(from_left),
-        circle_(stereo::find_scope_circle(picture)),
+        rest_(std::move(rest)),
         lens_(picture_.size(), CV_8U, cv::Scalar(0)) {
-    if (circle_) beside_circle_ = view_of(stereo::circle_mask(*circle_, picture_.cols, picture_.rows)) == 0;
+    if (const auto circle = stereo::find_scope_circle(picture)) fill_beyond(*circle);
+    while (widest_ < 3.0 && radius_of(widest_ + 0.01) > radius_of(widest_)) widest_ += 0.01;
     for (int y = 0; y < lens_.rows; ++y)
       for (int x = 0; x < lens_.cols; ++x) {
         const Eigen::Vector2d pixel(x, y);
         const Eigen::Vector3d ray = camera_.ray(pixel);
-        if (camera_.maps(ray) && (camera_.project(ray) - pixel).norm() < 0.5)
+        if (is_in_lens(ray) && (camera_.project(ray) - pixel).norm() < 0.5)
           lens_.at<std::uint8_t>(y, x) = 255;
       }
   }
 
-  /// Whether the view's own picture shows this place of the first frame's tissue, well off its border.
-  bool shows(const Eigen::Vector3d& p_in_left) const {
-    constexpr double kBorder = 6.0;
-    const Eigen::Vector3d p = from_left_ * p_in_left;
-    if (!camera_.maps(p)) return false;
-    const Eigen::Vector2d pixel = camera_.project(p);
-    const Eigen::Vector2d last(picture_.cols - 1.0 - kBorder, picture_.rows - 1.0 - kBorder);
-    if ((pixel.array() < kBorder).any() || (pixel.array() > last.array()).any()) return false;
-    if (!circle_) return true;
-    const Eigen::Vector2d away = pixel - circle_->centre;
-    return Eigen::Vector2d(away.x(), away.y() / circle_->aspect).norm() < circle_->radius - kBorder;
-  }
-
-  /// @param painted of each vertex of the sheet, the place of the first frame's tissue whose colour it has.
-  Picture draw(const insilico::RayCaster& moved, const TriangleMesh& painted, std::uint64_t seed) const {
-    cv::Mat map(picture_.size(), CV_32FC2, cv::Scalar(-9.0, -9.0));
+  /// @param rest_to_camera from the first frame's left camera to this one.
+  Picture draw(const insilico::RayCaster& moved, const Eigen::Isometry3d& rest_to_camera,
+               std::uint64_t seed) const {
+    cv::Mat map(tissue_.size(), CV_32FC2, cv::Scalar(-9.0, -9.0));
     std::vector<insilico::RayHit> hits(static_cast<std::size_t>(rays_.width));
     for (int y = 0; y < rays_.height; ++y) {
       moved.cast(rays_.origin, rays_.directions.data() + static_cast<std::size_t>(y) * hits.size(),
@@ -203,54 +189,63 @@ class MovedView {
         if (hit.thing != insilico::RayHit::Thing::organ || lens_.at<std::uint8_t>(y, x) == 0) continue;
         Eigen::Vector3d p = Eigen::Vector3d::Zero();
         for (int k = 0; k < 3; ++k)
-          p += static_cast<double>(hit.barycentric[k]) * painted.vertex(painted.triangles(hit.triangle, k));
-        const Eigen::Vector2d pixel = camera_.project(from_left_ * p);
+          p += static_cast<double>(hit.barycentric[k]) * rest_.vertex(rest_.triangles(hit.triangle, k));
+        const Eigen::Vector2d pixel = camera_.project(mirrored_into_lens(rest_to_camera * p));
         map.at<cv::Vec2f>(y, x) = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
       }
     }
     cv::Mat drawn;
-    cv::remap(picture_, drawn, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT);
-    if (!beside_circle_.empty()) picture_.copyTo(drawn, beside_circle_);
+    cv::remap(tissue_, drawn, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT);
+    if (!outside_.empty()) picture_.copyTo(drawn, outside_);
     add_noise(drawn, 2.0, seed);
     return picture_of(drawn);
   }
 
  private:
-  cv::Mat picture_;
+  /// Tissue beyond the laparoscope's circle, which comes into sight when it moves: what is inside, mirrored
+  /// at the rim. What is drawn outside of the circle stays as it is: the circle stands.
+  void fill_beyond(const stereo::ScopeCircle& circle) {
+    const Picture inside = stereo::circle_mask(circle, picture_.cols, picture_.rows);
+    outside_ = view_of(inside) == 0;
+    const double radius = circle.radius - 6.0;
+    cv::Mat map(picture_.size(), CV_32FC2);
+    for (int y = 0; y < map.rows; ++y)
+      for (int x = 0; x < map.cols; ++x) {
+        Eigen::Vector2d from(x - circle.centre.x(), (y - circle.centre.y()) / circle.aspect);
+        if (const double r = from.norm(); r > radius) from *= std::max(0.0, 2.0 * radius - r) / r;
+        map.at<cv::Vec2f>(y, x) = {static_cast<float>(circle.centre.x() + from.x()),
+                                   static_cast<float>(circle.centre.y() + from.y() * circle.aspect)};
+      }
+    cv::Mat filled;
+    cv::remap(picture_, filled, map, cv::noArray(), cv::INTER_LINEAR);
+    tissue_ = filled;
+  }
+  /// Where on the picture a ray of this slope arrives, over the focal length.
+  double radius_of(double slope) const {
+    const double r2 = slope * slope;
+    return slope *
+           (1.0 + r2 * (camera_.distortion[0] + r2 * (camera_.distortion[1] + r2 * camera_.distortion[4])));
+  }
+  /// Beyond that the distortion's polynomial folds the picture back.
+  bool is_in_lens(const Eigen::Vector3d& p) const {
+    return p.z() > 0.0 && p.head<2>().norm() < widest_ * p.z();
+  }
+
+  Eigen::Vector3d mirrored_into_lens(const Eigen::Vector3d& p) const {
+    const Eigen::Vector2d slope = p.head<2>() / p.z();
+    const double far = slope.norm(), most = 0.99 * widest_;
+    if (far < most) return p;
+    const Eigen::Vector2d inside = slope * (std::max(0.0, 2.0 * most - far) / far);
+    return {inside.x(), inside.y(), 1.0};
+  }
+
+  cv::Mat picture_, tissue_, outside_;
   Camera camera_;
   insilico::RayTable rays_;
-  Eigen::Isometry3d from_left_;
-  std::optional<stereo::ScopeCircle> circle_;
-  cv::Mat beside_circle_;  ///< non-zero there: it stands whatever moves
-  cv::Mat lens_;           ///< where the calibration's distortion can be undone
+  TriangleMesh rest_;
+  double widest_ = 0.0;
+  cv::Mat lens_;  ///< where the calibration's distortion can be undone
 };
-
-/// The sheet with the colours' places for vertices. Tissue that a picture does not show comes into sight when
-/// the laparoscope moves: it looks like what is shown, mirrored at the border of what both views show. One
-/// place has one colour in both views, so that stereo sees the sheet where it is.
-TriangleMesh painted(TriangleMesh sheet, const Relief& relief, const Eigen::Vector2d& middle,
-                     const MovedView& left, const MovedView& right) {
-  constexpr int kHalvings = 10;
-  const auto is_shown = [&](const Eigen::Vector2d& slope) {
-    const Eigen::Vector3d p = relief.surface(slope);
-    return left.shows(p) && right.shows(p);
-  };
-  for (Eigen::Index i = 0; i < sheet.vertices.rows(); ++i) {
-    const Eigen::RowVector3d p = sheet.vertices.row(i);
-    const Eigen::Vector2d way = Eigen::Vector2d(p.x(), p.y()) / p.z() - middle;
-    if (is_shown(middle + way)) continue;
-    double border = 0.0, beyond = 1.0;
-    for (int n = 0; n < kHalvings; ++n) {
-      const double half = 0.5 * (border + beyond);
-      (is_shown(middle + half * way) ? border : beyond) = half;
-    }
-    if (border <= 0.0) continue;
-    const double to_and_fro = std::fmod(1.0 / border, 2.0);
-    const double share = border * std::min(to_and_fro, 2.0 - to_and_fro);
-    sheet.vertices.row(i) = relief.surface(middle + share * way).transpose();
-  }
-  return sheet;
-}
 
 Points moved(const Points& rest, const Handled& handled, double seconds, const Eigen::Isometry3d& scope) {
   Points now(rest.rows(), 3);
@@ -300,13 +295,11 @@ Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, std::uint64_
   const Eigen::Vector3d pressed_at = relief.surface(inner.center());
 
   insilico::RayCaster caster(rest);
+  const MovedView left(pair.left, pair.rig.left, insilico::left_rays(pair.rig), rest);
+  const MovedView right(pair.right, pair.rig.right, insilico::right_rays(pair.rig), rest);
   Eigen::Isometry3d to_right = Eigen::Isometry3d::Identity();
   to_right.linear() = pair.rig.right_from_left.rotation;
   to_right.translation() = pair.rig.right_from_left.translation;
-  const MovedView left(pair.left, pair.rig.left, insilico::left_rays(pair.rig),
-                       Eigen::Isometry3d::Identity());
-  const MovedView right(pair.right, pair.rig.right, insilico::right_rays(pair.rig), to_right);
-  const TriangleMesh colours = painted(rest, relief, inner.center(), left, right);
   for (int k = 0; k < frames; ++k)
     for (Filmed* filmed : {&stage.standing, &stage.held, &stage.lifted}) {
       if (context.cancelled()) return std::nullopt;
@@ -321,8 +314,8 @@ Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, std::uint64_
                                    : handled.is_lifted   ? kLiftedNoise
                                                          : 0);
       StereoFrame frame;
-      frame.left = left.draw(caster, colours, noise);
-      frame.right = right.draw(caster, colours, noise + 1);
+      frame.left = left.draw(caster, Eigen::Isometry3d::Identity(), noise);
+      frame.right = right.draw(caster, to_right, noise + 1);
       frame.index = k;
       frame.seconds = seconds;
       filmed->film.push_back(std::move(frame));

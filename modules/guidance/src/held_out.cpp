@@ -83,10 +83,12 @@ double HeldOut::share_of(const TriangleMesh& surface) const {
                           b = surface.vertex(surface.triangles(t, 1)),
                           c = surface.vertex(surface.triangles(t, 2)), centre = (a + b + c) / 3.0,
                           normal = (b - a).cross(c - a);
-    if (normal.dot(centre) >= 0.0 || !camera_.shows(centre)) continue;
+    if (!(centre.z() > 0.0) || normal.dot(centre) >= 0.0) continue;
+    const Eigen::Vector2d pixel = camera_.project(centre);
+    if (!camera_.sees(pixel)) continue;
     const double area = 0.5 * normal.norm();
     all += area;
-    if (is_masked(*mask_->not_liver.bytes, camera_.project(centre))) masked += area;
+    if (is_masked(*mask_->not_liver.bytes, pixel)) masked += area;
   }
   return all > 0.0 ? masked / all : 0.0;
 }

@@ -142,8 +142,9 @@ int PointMemory::recall(StereoFollower& follower, AnchoredPoints& anchors,
     if (std::binary_search(ids.begin(), ids.end(), id)) continue;
     if (frame < place.try_from) continue;
     const Eigen::Vector3d p = place.anchor.place(surface), q = in_right(p);
-    if (surface.normal(place.anchor.at).dot(p) > 0.0 || !rig_.left.shows(p) || !rig_.right.shows(q)) continue;
+    if (p.z() <= 0.0 || q.z() <= 0.0 || surface.normal(place.anchor.at).dot(p) > 0.0) continue;
     const Eigen::Vector2d left = rig_.left.project(p), right = rig_.right.project(q);
+    if (!rig_.left.sees(left) || !rig_.right.sees(right)) continue;
     const bool is_near = std::any_of(taken.begin(), taken.end(), [&](const Eigen::Vector2d& other) {
       return (other - left).norm() < spacing;
     });

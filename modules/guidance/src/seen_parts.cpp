@@ -41,7 +41,8 @@ double seen_area(const TriangleMesh& mesh, const Camera& camera) {
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)), b = mesh.vertex(mesh.triangles(t, 1)),
                           c = mesh.vertex(mesh.triangles(t, 2)), centre = (a + b + c) / 3.0;
-    if ((b - a).cross(c - a).dot(centre) < 0.0 && camera.shows(centre)) sum += areas[t];
+    if (centre.z() > 0.0 && (b - a).cross(c - a).dot(centre) < 0.0 && camera.sees(camera.project(centre)))
+      sum += areas[t];
   }
   return sum;
 }

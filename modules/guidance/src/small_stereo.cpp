@@ -91,7 +91,7 @@ SmallStereo::SmallStereo(const StereoRig& rig, int width, int step, double near,
       const Eigen::Vector3d ray =
           back * Eigen::Vector3d((x - impl_->cx) / impl_->focal, (y - impl_->cy) / impl_->focal, 1.0);
       rays_.push_back(ray.normalized());
-      pixels_.push_back(rig.left.maps(ray) ? rig.left.project(ray) : Eigen::Vector2d(-1e3, -1e3));
+      pixels_.push_back(ray.z() > 0.0 ? rig.left.project(ray) : Eigen::Vector2d(-1e3, -1e3));
     }
 }
 

@@ -286,7 +286,7 @@ int StereoFollower::replenish(const Expected& expected) {
     const auto p = expected(at);
     if (!p) continue;
     const Eigen::Vector3d in_right = rig_.right_from_left.rotation * *p + rig_.right_from_left.translation;
-    if (!rig_.right.maps(in_right)) continue;
+    if (in_right.z() <= 0.0) continue;
     const Eigen::Vector2d there = rig_.right.project(in_right);
     if (!is_seen(rig_.right, images_->inside_right, there)) continue;
     start.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));

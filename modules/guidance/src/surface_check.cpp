@@ -69,10 +69,9 @@ struct Wish {
 }  // namespace
 
 struct SurfaceCheck::Impl {
-  Impl(const PatientModel& model, const StereoRig& both, const Picture& mask_of_left)
+  Impl(const PatientModel& model, const StereoRig& rig, const Picture& mask_of_left)
       : surface(model, registration::SurfaceDetail::fine),
         in_shape(surface),
-        rig(both),
         stereo(rig, kWidth, kStep, SmallStereo::kNear, SmallStereo::kFar),
         mask(mask_of_left) {
     allowed.resize(static_cast<std::size_t>(stereo.columns() * stereo.rows()));
@@ -92,10 +91,6 @@ struct SurfaceCheck::Impl {
     const auto at = static_cast<std::size_t>(mask.channels) * (y * static_cast<std::size_t>(mask.width) + x);
     return at < mask.bytes->size() && (*mask.bytes)[at] != 0;
   }
-  /// Stereo tells nothing of what the right view does not show.
-  bool is_in_right(const Eigen::Vector3d& p) const {
-    return rig.right.shows(rig.right_from_left.rotation * p + rig.right_from_left.translation);
-  }
   int region(int column, int row) const {
     return kRegions * (kRegions * row / stereo.rows()) + kRegions * column / stereo.columns();
   }
@@ -114,7 +109,7 @@ struct SurfaceCheck::Impl {
         const Eigen::Vector3d& ray = stereo.ray(c, r);
         hit[i] =
             surface.first_hit(Eigen::Vector3d::Zero(), ray, 0.0, std::numeric_limits<double>::infinity());
-        if (hit[i].triangle < 0 || !is_in_right(hit[i].point)) continue;
+        if (hit[i].triangle < 0) continue;
         depth[i] = hit[i].point.norm();
         inclination[i] = std::abs(surface.normal(hit[i], normals).dot(ray));
       }
@@ -209,16 +204,14 @@ struct SurfaceCheck::Impl {
 
   static void look_at_regions(const Regions& regions, SurfaceEvidence& evidence) {
     std::array<double, kRegionCount> off{};
-    double sum = 0.0, most = 0.0;
+    double sum = 0.0;
     int known = 0;
     for (std::size_t i = 0; i < off.size(); ++i) {
       off[i] = regions[i].off();
       sum += off[i] * off[i];
-      most = std::max(most, off[i] * off[i]);
       known += regions[i].values.size() >= kLeastInRegion;
     }
-    // In dim tissue the few matches of a region may all be wrong, and alike: one region alone is no evidence.
-    evidence.gap = known > 1 ? std::sqrt((sum - most) / (known - 1)) : 0.0;
+    evidence.gap = known > 0 ? std::sqrt(sum / known) : 0.0;
     const auto both = [&](std::size_t a, std::size_t b) {
       if (off[a] * off[b] > 0.0)
         evidence.local = std::max(evidence.local, std::min(std::abs(off[a]), std::abs(off[b])));
@@ -383,7 +376,6 @@ struct SurfaceCheck::Impl {
   }
 
   registration::MovingSurface surface, in_shape;
-  StereoRig rig;
   Points shape_now;                  ///< of in_shape
   registration::NormalMemo normals;  ///< of surface
   SmallStereo stereo;
@@ -402,8 +394,7 @@ SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, c
   SurfaceEvidence evidence;
   std::vector<SeenPoint> points = impl_->stereo.see(left, right);
   std::erase_if(points, [&](const SeenPoint& point) {
-    return impl_->allowed[impl_->index(point.column, point.row)] == 0 ||
-           !impl_->is_in_right(point.p_in_camera);
+    return impl_->allowed[impl_->index(point.column, point.row)] == 0;
   });
   impl_->predict(nodes_in_camera);
   impl_->compare(points, followed, evidence);

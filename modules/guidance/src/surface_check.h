@@ -20,9 +20,7 @@ struct SurfaceEvidence {
   double behind = 0.0;     ///< share of those, well inside the outline, where it sees something farther away
   double before = 0.0;     ///< the same, nearer: covered, or the organ itself:
   double lifted = 0.0;     ///< of `before`, what is the organ (lifted_places())
-  /// Rms over regions of the median distance, expected standard deviations; the region that is off most is
-  /// left out.
-  double gap = 0.0;
+  double gap = 0.0;        ///< rms over regions of the median distance, expected standard deviations
   /// Two neighbouring regions that are off to the same side count as much as the smaller of the two, in
   /// standard deviations; this is the largest over all such pairs. It finds a part of the organ that is
   /// elsewhere, which `gap` dilutes, and ignores a single region, which may be a wrong match.

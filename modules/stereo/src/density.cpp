@@ -25,7 +25,7 @@ std::vector<Spot> spots_of(const LabelledCloud& cloud, const Camera& left) {
   std::vector<Spot> spots;
   for (Eigen::Index i = 0; i < cloud.points.rows(); ++i) {
     const Eigen::Vector3d p = cloud.points.row(i).transpose(), n = cloud.normals.row(i).transpose();
-    if (!left.maps(p)) continue;
+    if (p.z() <= 0.0) continue;
     spots.push_back({left.project(p), p.z(), std::clamp(std::abs(n.dot(p)) / p.z(), 0.2, 1.5)});
   }
   return spots;

@@ -21,9 +21,9 @@ struct Seen {
 
 Seen seen(const StereoRig& rig, const Eigen::Vector3d& p) {
   Seen s;
-  if (rig.left.maps(p)) s.left = rig.left.project(p), s.in_left = rig.left.sees(s.left);
+  if (p.z() > 0.0) s.left = rig.left.project(p), s.in_left = rig.left.sees(s.left);
   const Eigen::Vector3d in_right = rig.right_from_left.rotation * p + rig.right_from_left.translation;
-  if (rig.right.maps(in_right)) s.right = rig.right.project(in_right), s.in_right = rig.right.sees(s.right);
+  if (in_right.z() > 0.0) s.right = rig.right.project(in_right), s.in_right = rig.right.sees(s.right);
   return s;
 }
 

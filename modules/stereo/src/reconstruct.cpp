@@ -73,8 +73,9 @@ cv::Mat band_in_right(const Pair& pair, const ReconstructOptions& options) {
         const double depth = 1.0 / ((1.0 - t) / options.far + t / options.near);
         const Eigen::Vector3d p =
             (pair.rig.right_from_left * Point<CameraFrame>(Eigen::Vector3d(depth * ray))).xyz;
-        if (!pair.rig.right.shows(p)) continue;
+        if (p.z() <= 0.0) continue;
         const Eigen::Vector2d pixel = pair.rig.right.project(p);
+        if (!pair.rig.right.sees(pixel)) continue;
         cv::rectangle(band,
                       cv::Point(static_cast<int>(pixel.x()) - kRadius, static_cast<int>(pixel.y()) - kRadius),
                       cv::Point(static_cast<int>(pixel.x()) + kRadius, static_cast<int>(pixel.y()) + kRadius),

@@ -7,6 +7,22 @@
 #include "sampling.h"
 
 namespace glisson::stereo {
+namespace {
+
+/// The radius up to which the distortion keeps rays apart. Beyond it the polynomial of some calibrations
+/// turns back, and two rays share a pixel.
+double one_to_one_limit(const Camera& camera) {
+  constexpr double kLeastSlope = 0.2, kWidest = 4.0, kStep = 1e-3;
+  const auto& d = camera.distortion;
+  double r = 0.0;
+  for (; r < kWidest; r += kStep) {
+    const double r2 = r * r;
+    if (1.0 + r2 * (3.0 * d[0] + r2 * (5.0 * d[1] + r2 * 7.0 * d[4])) < kLeastSlope) break;
+  }
+  return r;
+}
+
+}  // namespace
 
 Rectification::Rectification(const StereoRig& rig) : rig_(rig), baseline_(rig.baseline()) {
   const Eigen::Matrix3d& r = rig.right_from_left.rotation;
@@ -22,7 +38,7 @@ Rectification::Rectification(const StereoRig& rig) : rig_(rig), baseline_(rig.ba
     const int k = side == Side::left ? 0 : 1;
     const Eigen::Vector3d ray = rectified_from_[k] * camera(side).ray(middle);
     centre_[k] = middle - focal_ * ray.hnormalized();
-    limit_[k] = camera(side).widest_slope();
+    limit_[k] = one_to_one_limit(camera(side));
   }
   centre_[0].y() = centre_[1].y() = 0.5 * (centre_[0].y() + centre_[1].y());
 }

@@ -63,7 +63,7 @@ class Rectification {
   double focal_ = 1.0, baseline_ = 1.0;
   Eigen::Matrix3d rectified_from_[2];  ///< rotation from the left, right camera's frame
   Eigen::Vector2d centre_[2];          ///< principal points, one row
-  double limit_[2] = {0.0, 0.0};       ///< Camera::widest_slope()
+  double limit_[2] = {0.0, 0.0};       ///< |(x, y)| of a ray up to which the distortion is one-to-one
 };
 
 }  // namespace glisson::stereo
