@@ -22,6 +22,9 @@ constexpr double kMarginOff = 8e-3;     ///< m
 /// Probability that the organ is more than 20 mm off, or that it changed between looks. From one in a hundred
 /// on it is a doubt, from one in twenty on the registration is refused.
 constexpr double kElsewhereDoubt = 0.01, kElsewhere = 0.05;
+/// Share by which a model is too large or too small before any camera: half a millimetre of its outline on an
+/// organ of 100 mm. Standard deviation.
+constexpr double kModelsSize = 5e-3;
 /// Standard deviations of how large the organ is: beyond on either side lie one in fifty, and one in
 /// sixteen thousand.
 constexpr double kOtherSize = 2.33, kSurelyOtherSize = 4.0;
@@ -56,8 +59,8 @@ Verdict judge(const Findings& found) {
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, -kEvenOdds, -1.0);
   weigh("points_turned", found.turned, kTurned, kNever, 1e2);
   weigh("margin_off", found.margin_off, kMarginOff, kNever, 1e3);
-  weigh("size_differs", std::abs(found.size), kOtherSize * found.size_sigma,
-        kSurelyOtherSize * found.size_sigma, 1e2);
+  const double size_sigma = std::hypot(found.size_sigma, kModelsSize);
+  weigh("size_differs", std::abs(found.size), kOtherSize * size_sigma, kSurelyOtherSize * size_sigma, 1e2);
   weigh("shape_strange", found.strangeness, strangest(found.decided), kNever, 1.0);
   return verdict;
 }
