@@ -94,7 +94,9 @@ class Builder {
       ++done;
       if (here) span.progress(static_cast<double>(done) / static_cast<double>(count()), stage);
     });
-    return whole && !context_.cancelled();
+    if (!whole || context_.cancelled()) return false;
+    span.progress(1.0, stage);  // the last member may have been another thread's
+    return true;
   }
 
   bool correspond_all() {
