@@ -2968,14 +2968,6 @@
         <translation>wurde nur an %1 Stellen gesehen, %2 sind nötig</translation>
     </message>
     <message>
-        <source>lies behind the camera (%1 of %2 points)</source>
-        <translation>liegt hinter der Kamera (%1 von %2 Punkten)</translation>
-    </message>
-    <message>
-        <source>Turn it by 180 degrees about x: here y runs down and z forward</source>
-        <translation>Drehen Sie sie um 180 Grad um x: hier läuft y nach unten und z nach vorn</translation>
-    </message>
-    <message>
         <source>is not 16 numbers</source>
         <translation>sind nicht 16 Zahlen</translation>
     </message>
@@ -6233,8 +6225,12 @@
         <translation>Doppelte Punkte der Wolke wurden weggelassen: %1.</translation>
     </message>
     <message>
-        <source>Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.</source>
-        <translation>Punkte der Wolke am Objektiv oder dahinter wurden weggelassen: %1. Ein solcher Punkt hat keine Tiefe.</translation>
+        <source>Points of the cloud at the lens itself were left out: %1. Such a point has no depth.</source>
+        <translation>Punkte der Wolke am Objektiv selbst wurden weggelassen: %1. Ein solcher Punkt hat keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>Points of the cloud that lie behind the camera: %1. The organ is registered to them, but no picture shows it there. If they are from OpenGL or VTK, turn them by 180° about x.</source>
+        <translation>Punkte der Wolke, die hinter der Kamera liegen: %1. Das Organ wird mit ihnen registriert, aber kein Bild zeigt es dort. Sind sie aus OpenGL oder VTK, drehen Sie sie um 180° um x.</translation>
     </message>
     <message>
         <source>The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the calibration (distance of the cameras, zoom) and the unit of the cloud.</source>

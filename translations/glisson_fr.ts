@@ -2968,14 +2968,6 @@
         <translation>n’a été vu qu’en %1 endroits, il en faut %2</translation>
     </message>
     <message>
-        <source>lies behind the camera (%1 of %2 points)</source>
-        <translation>se trouve derrière la caméra (%1 points sur %2)</translation>
-    </message>
-    <message>
-        <source>Turn it by 180 degrees about x: here y runs down and z forward</source>
-        <translation>Tournez-le de 180 degrés autour de x : ici y va vers le bas et z vers l&apos;avant</translation>
-    </message>
-    <message>
         <source>is not 16 numbers</source>
         <translation>n’est pas 16 nombres</translation>
     </message>
@@ -6233,8 +6225,12 @@
         <translation>Des points en double du nuage ont été écartés : %1.</translation>
     </message>
     <message>
-        <source>Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.</source>
-        <translation>Des points du nuage situés à l&apos;objectif ou derrière lui ont été écartés : %1. Un tel point n&apos;a pas de profondeur.</translation>
+        <source>Points of the cloud at the lens itself were left out: %1. Such a point has no depth.</source>
+        <translation>Des points du nuage situés à l&apos;objectif même ont été écartés : %1. Un tel point n&apos;a pas de profondeur.</translation>
+    </message>
+    <message>
+        <source>Points of the cloud that lie behind the camera: %1. The organ is registered to them, but no picture shows it there. If they are from OpenGL or VTK, turn them by 180° about x.</source>
+        <translation>Points du nuage situés derrière la caméra : %1. L&apos;organe est recalé sur eux, mais aucune image ne l&apos;y montre. S&apos;ils viennent d&apos;OpenGL ou de VTK, tournez-les de 180° autour de x.</translation>
     </message>
     <message>
         <source>The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the calibration (distance of the cameras, zoom) and the unit of the cloud.</source>

@@ -2,6 +2,7 @@
 #include "glisson/patient/cut_organ.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace glisson;
 
@@ -30,6 +31,7 @@ class CutOrganTest : public QObject {
     const double faces[3] = {24.0 * 60.0, 60.0 * 16.0, 16.0 * 24.0};  // mm: the box's sides
     QCOMPARE(cut_area_mm2(grid, organ), faces[axis]);
     const std::string told = *cut_note(grid, organ);
+    QCOMPARE(told_cut({"liver.small", told}), std::lround(1e-2 * faces[axis]));
     QCOMPARE(told, std::string("liver.cut_off ") + (axis == 0 ? "14" : axis == 1 ? "10" : "4"));
   }
   void AnOrganInsideIsWhole() {
@@ -39,6 +41,7 @@ class CutOrganTest : public QObject {
     organ[62] = 1;
     QCOMPARE(cut_area_mm2(grid, organ), 0.0);
     QVERIFY(!cut_note(grid, organ));
+    QCOMPARE(told_cut({"liver.small"}), 0L);
     organ[0] = 1;  // a corner touches three sides, with three square millimetres
     QCOMPARE(cut_area_mm2(grid, organ), 3.0);
     QVERIFY(!cut_note(grid, organ));

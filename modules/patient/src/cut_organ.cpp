@@ -2,10 +2,17 @@
 #include "glisson/patient/cut_organ.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 
 #include "glisson/core/error.h"
 
 namespace glisson {
+namespace {
+
+constexpr const char* kNote = "liver.cut_off ";
+
+}  // namespace
 
 double cut_area_mm2(const VolumeGrid& grid, const std::vector<std::uint8_t>& organ) {
   const Eigen::Vector3i& size = grid.size;
@@ -30,7 +37,13 @@ std::optional<std::string> cut_note(const VolumeGrid& grid, const std::vector<st
   constexpr double kTouches = 100.0;  // mm^2
   const double area = cut_area_mm2(grid, liver);
   if (area < kTouches) return std::nullopt;
-  return "liver.cut_off " + std::to_string(std::lround(1e-2 * area));
+  return kNote + std::to_string(std::lround(1e-2 * area));
+}
+
+long told_cut(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (note.starts_with(kNote)) return std::strtol(note.c_str() + std::strlen(kNote), nullptr, 10);
+  return 0;
 }
 
 }  // namespace glisson

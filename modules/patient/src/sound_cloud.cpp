@@ -5,12 +5,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "glisson/core/error.h"
-
 namespace glisson {
 namespace {
-
-constexpr double kAtTheLens = 5e-3;  ///< metres
 
 /// Of these points the first of each place, look and feature, in the cloud's order.
 std::vector<int> without_repeated(const LabelledCloud& cloud, std::vector<int> order) {
@@ -23,18 +19,6 @@ std::vector<int> without_repeated(const LabelledCloud& cloud, std::vector<int> o
               order.end());
   std::sort(order.begin(), order.end());
   return order;
-}
-
-/// Takes out what lies at the lens or behind it. @return how many.
-int take_out_without_depth(const LabelledCloud& cloud, std::vector<int>& rows) {
-  const auto z = [&](int i) { return cloud.points(i, 2); };
-  const auto behind = std::count_if(rows.begin(), rows.end(), [&](int i) { return z(i) < 0.0; });
-  if (2 * behind > static_cast<std::ptrdiff_t>(rows.size()))
-    throw InputError("cloud", "z",
-                     "lies behind the camera (" + std::to_string(behind) + " of " +
-                         std::to_string(rows.size()) + " points)",
-                     "Turn it by 180 degrees about x: here y runs down and z forward");
-  return static_cast<int>(std::erase_if(rows, [&](int i) { return z(i) < kAtTheLens; }));
 }
 
 LabelledCloud chosen(const LabelledCloud& cloud, const std::vector<int>& rows) {
@@ -57,6 +41,7 @@ std::vector<std::string> CloudFaults::notes() const {
   std::vector<std::string> codes;
   if (repeated > 0) codes.push_back("cloud.repeated " + std::to_string(repeated));
   if (without_depth > 0) codes.push_back("cloud.without_depth " + std::to_string(without_depth));
+  if (behind > 0) codes.push_back("cloud.behind " + std::to_string(behind));
   return codes;
 }
 
@@ -65,13 +50,16 @@ LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFau
   if (!cloud.points.allFinite()) return cloud;
   std::vector<int> rows(static_cast<std::size_t>(cloud.size()));
   std::iota(rows.begin(), rows.end(), 0);
-  const int without_depth = from_camera ? take_out_without_depth(cloud, rows) : 0;
-  const std::size_t deep = rows.size();
+  const auto all = rows.size();
+  if (from_camera) std::erase_if(rows, [&](int i) { return cloud.points.row(i).isZero(0.0); });
+  const auto deep = rows.size();
   rows = without_repeated(cloud, std::move(rows));
-  const int repeated = static_cast<int>(deep - rows.size());
-  faults.without_depth += without_depth;
-  faults.repeated += repeated;
-  return repeated + without_depth > 0 ? chosen(cloud, rows) : cloud;
+  faults.without_depth += static_cast<int>(all - deep);
+  faults.repeated += static_cast<int>(deep - rows.size());
+  if (from_camera)
+    faults.behind += static_cast<int>(
+        std::count_if(rows.begin(), rows.end(), [&](int i) { return cloud.points(i, 2) < 0.0; }));
+  return rows.size() < all ? chosen(cloud, rows) : cloud;
 }
 
 }  // namespace glisson

@@ -20,9 +20,9 @@ class Notes {
   static QHash<QString, QString> sentences() {
     return {
         {"liver.small", tr("The liver is smaller than 400 ml: check it in the slices.")},
-        {"liver.cut_off", tr("The image ends inside the liver: %1 cm² of its surface are a cut and no "
-                             "surface. Take a whole CT, or "
-                             "register nothing of what lies there.")},
+        {"liver.cut_off",
+         tr("The image ends inside the liver: %1 cm² of its surface are a cut and no surface. Take a whole "
+            "CT, or register nothing of what lies there.")},
         {"seed.liver_apart",
          tr("Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
             "between the two, or take it away.")},
@@ -142,10 +142,13 @@ class Notes {
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"cloud.repeated", tr("Points of the cloud that were there twice were left out: %1.")},
         {"cloud.without_depth",
-         tr("Points of the cloud at the lens or behind it were left out: %1. Such a point has no depth.")},
-        {"organ_cut", tr("The CT ends inside the liver (%1 cm² are a cut): there the model has a surface "
-                         "that the organ has "
-                         "not.")},
+         tr("Points of the cloud at the lens itself were left out: %1. Such a point has no depth.")},
+        {"cloud.behind",
+         tr("Points of the cloud that lie behind the camera: %1. The organ is registered to them, but no "
+            "picture shows it there. If they are from OpenGL or VTK, turn them by 180° about x.")},
+        {"organ_cut",
+         tr("The CT ends inside the liver (%1 cm² are a cut): there the model has a surface that the organ "
+            "has not.")},
         {"size_differs",
          tr("The organ would have to be larger or smaller by %1 % (limit %2 %) to fit the points: check the "
             "calibration (distance of the cameras, zoom) and the unit of the cloud.")},

@@ -16,5 +16,7 @@ double cut_area_mm2(const VolumeGrid& grid, const std::vector<std::uint8_t>& org
 
 /// "liver.cut_off 42" (cm^2); empty: less than a square centimetre, as where a dome touches the last slice.
 std::optional<std::string> cut_note(const VolumeGrid& grid, const std::vector<std::uint8_t>& liver);
+/// What a cut_note() among these notes tells, cm^2; 0: there is none.
+long told_cut(const std::vector<std::string>& notes);
 
 }  // namespace glisson

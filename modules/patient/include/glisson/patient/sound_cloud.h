@@ -8,19 +8,19 @@
 
 namespace glisson {
 
-/// What was taken out of clouds, points.
+/// What is wrong with clouds, points.
 struct CloudFaults {
-  int repeated = 0;       ///< the same place again, of the same look and feature
-  int without_depth = 0;  ///< at the lens or behind it: writers put there what they have no depth of
-  /// As codes for a person: "cloud.repeated 12", "cloud.without_depth 5"; none where there was nothing.
+  int repeated = 0;       ///< the same place again, of the same look and feature: taken out
+  int without_depth = 0;  ///< at the lens itself, where writers put what they have no depth of: taken out
+  int behind = 0;         ///< behind the lens: they stay, since a cloud may be in a frame of its own
+  /// As codes for a person: "cloud.repeated 12", "cloud.behind 40"; none where there was nothing.
   std::vector<std::string> notes() const;
 };
 
-/// A cloud without the points that are none: they have no neighbours at a distance, or lie where nothing can
-/// be seen, and would pull the organ there.
-/// @param from_camera the cloud is in the left camera's frame: what lies less than 5 mm before the lens goes.
-/// @param faults what was taken out is added.
-/// @throws InputError more than half of the points lie behind the lens: the cloud is in another convention.
+/// A cloud without the points that are none: repeated ones have no neighbours at a distance, and those at the
+/// origin would pull the organ to the lens.
+/// @param from_camera a camera in the origin has seen it.
+/// @param faults what was found is added.
 LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFaults& faults);
 
 }  // namespace glisson

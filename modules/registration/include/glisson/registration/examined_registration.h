@@ -17,13 +17,13 @@ struct ExaminedRegistration {
   Findings findings;
   std::shared_ptr<const ErrorModel> error;  ///< what is not known of any point's place
   std::vector<LesionError> lesions;         ///< of the model
-  CloudFaults cloud_faults;                 ///< what was left out of the cloud and of other looks
+  CloudFaults cloud_faults;                 ///< of the cloud and of other looks
 };
 
 /// The door by which a model is registered: register_model() with what it knows of itself. Where a prior is
 /// known and the start is sought, the cloud's mirror image is registered, too. What is no point of the cloud
-/// is left out (sound_cloud(); by depth unless the cloud is in the model's frame).
-/// @throws InputError, NumericalError as register_model; InputError as sound_cloud().
+/// is left out (sound_cloud(); zeros unless the cloud is in the model's frame).
+/// @throws InputError, NumericalError as register_model.
 Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model, const LabelledCloud& cloud,
                                                        const RegisterOptions& options,
                                                        const RunContext& context,
