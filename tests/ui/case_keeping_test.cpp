@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QTreeWidget>
 #include <QtTest>
+#include <chrono>
+#include <thread>
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"
@@ -98,7 +100,7 @@ void CaseKeepingTest::init() {
     if (command.as<engine::SaveCase>() != nullptr)
       while (save_waits_) {
         if (context.cancelled()) return {};
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
     const auto* video = command.as<engine::SetVideo>();
     if (video && video->left.filename() == "broken.mkv")
@@ -126,13 +128,13 @@ void CaseKeepingTest::WhatIsDoneWhileTheCaseIsSavedIsNotSaved() {
   QSignalSpy ended(&engine(), &ui::EngineBridge::finished);
   engine().post(engine::SaveCase{});
   engine().post(engine::SetSeeds{});
-  QTRY_COMPARE(ended.count(), 1);  // the seeds do not wait
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);  // the seeds do not wait
   save_waits_ = false;
-  QTRY_COMPARE(ended.count(), 2);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 20000);
   QVERIFY(settle());
   QVERIFY(window_->isWindowModified());
   engine().post(engine::SaveCase{});
-  QTRY_COMPARE(ended.count(), 3);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, 20000);
   QTRY_VERIFY(!window_->isWindowModified());
 }
 

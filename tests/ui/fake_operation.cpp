@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fake_operation.h"
 
+#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -183,7 +184,7 @@ bool FakeOperation::work(const RunContext& context, const char* stage) const {
   do {
     if (context.cancelled()) return false;
     context.progress(std::min(0.4, 0.01 * ++turn), stage);
-    std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   } while (hold.load());
   context.progress(1.0, stage);
   return true;
