@@ -284,6 +284,7 @@ bool FakeOperation::change(engine::Applied& applied, const engine::BuildModel&,
   if (!work(context, "mesh.refine")) return false;
   model::BuiltModel built;
   built.model = model;
+  built.report.notes = model_notes;
   built.report.quality.vertices = model.mesh.vertex_count();
   built.report.quality.tetrahedra = model.mesh.tetrahedron_count();
   built.report.quality.min_dihedral_deg = 14.2;

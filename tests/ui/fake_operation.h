@@ -39,6 +39,7 @@ class FakeOperation {
   Image ct;
   LabelMap labels;
   PatientModel model;
+  std::vector<std::string> model_notes;  ///< what building it tells
   StereoRig rig;
   CameraFromCt camera_from_ct;
   std::filesystem::path video;  ///< side by side

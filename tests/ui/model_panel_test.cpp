@@ -43,6 +43,7 @@ class ModelPanelTest : public QObject {
   void init();
   void cleanup();
   void TheSheetSaysWhatStandsOut();
+  void ALiverThatEndsWithTheImageStandsOut();
   void TheCheckIsKeptUntilAnotherModel();
   void LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved();
   void FlattestElementsAreShownAndPutAway();
@@ -153,12 +154,20 @@ void ModelPanelTest::TheSheetSaysWhatStandsOut() {
   // The block's lesion has no elements of its own; everything else is as it should be.
   QVERIFY(text("model_summary").contains(QStringLiteral("Lesions without elements of their own: 1")));
   QVERIFY(!text("model_summary").contains(QStringLiteral("Flat elements")));
+  QVERIFY(!text("model_summary").contains(QStringLiteral("The image ends inside the liver")));
   QStringList shown;
   for (const QLabel* label : sheet().findChildren<QLabel*>()) shown << label->text();
   QVERIFY(shown.contains(QStringLiteral("14.2° to 151.0°")));
   QVERIFY(shown.contains(QStringLiteral("-1.1 %")));
   QVERIFY(shown.contains(QStringLiteral("480 ml")));  // 12 x 8 x 5 cm
   QCOMPARE(shown.filter(QStringLiteral("tips: 1, beams: 4")).size(), 2);
+}
+
+void ModelPanelTest::ALiverThatEndsWithTheImageStandsOut() {
+  operation_->model_notes = {"liver.cut_off 166"};
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(settle());
+  QTRY_VERIFY(text("model_summary").contains(QStringLiteral("The image ends inside the liver: 166 cm²")));
 }
 
 void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {

@@ -14,6 +14,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/review.h"
+#include "glisson/patient/cut_organ.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -127,6 +128,8 @@ void QualitySheet::show_case() {
 
 QStringList QualitySheet::findings() const {
   QStringList found;
+  for (const std::string& note : shown_->report.notes)
+    if (told_cut({note}) > 0) found << note_text(note);
   const model::MeshQuality& q = shown_->report.quality;
   if (q.min_dihedral_deg < kFlatDeg)
     found << tr("Flat elements: the smallest angle is %1°. Build anew with another number of vertices.")
