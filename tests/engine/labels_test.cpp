@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labels edited by hand through the engine: steps, previews, review, and edits beside long work.
+// Labels edited by hand through the engine: steps, previews, review, and edits beside long work. What of them
+// comes with files and cases is in kept_labels_test.cpp.
 #include <QtTest>
 
 #include "gate.h"
-#include "glisson/core/error.h"
-#include "glisson/core/files.h"
-#include "glisson/editing/tools/margin.h"
-#include "glisson/editing/tools/paint.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/export_labels.h"
@@ -26,70 +23,13 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/review.h"
+#include "labelled_ct.h"
 #include "runners.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using namespace glisson::test;
 using editing::Edit;
-using test::both_runners;
-using test::Gate;
-
-namespace {
-
-VolumeGrid small_grid() {
-  VolumeGrid grid;
-  grid.size = {40, 36, 34};
-  grid.spacing_mm = {2.0, 2.0, 2.5};
-  return grid;
-}
-
-/// A case with an image, written as files: engines read it as a person's would be.
-class CtFolder {
- public:
-  CtFolder() {
-    Image image;
-    image.grid = small_grid();
-    std::vector<std::int16_t> voxels(static_cast<std::size_t>(image.grid.voxel_count()), 60);
-    image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
-    write_image(path() / "ct.nrrd", image);
-  }
-  std::filesystem::path path() const { return folder_.path(); }
-
- private:
-  TemporaryFolder folder_;
-};
-
-std::unique_ptr<Engine> engine_of(Runner runner, const CtFolder& files, Apply apply = engine::apply) {
-  Engine::Options options;
-  options.runner = runner;
-  options.apply = std::move(apply);
-  options.wake = [] {};
-  auto made = std::make_unique<Engine>(std::move(options));
-  if (made->wait(made->post(ImportImage{files.path() / "ct.nrrd"})).status != Status::done) return nullptr;
-  return made;
-}
-
-Edit ball(const Eigen::Vector3d& centre_mm, double radius_mm, Label label = structure::kParenchyma) {
-  editing::Paint paint;
-  paint.label = label;
-  paint.brush = editing::Paint::Brush::ball;
-  paint.radius = 1e-3 * radius_mm;
-  paint.path = 1e-3 * centre_mm.transpose();
-  return {paint, {}};
-}
-
-Edit grown(double by_mm, Label label = structure::kParenchyma) {
-  return {editing::Margin{label, 1e-3 * by_mm}, {}};
-}
-
-long voxels(const Engine& engine, Label label) {
-  const auto& figures = engine.snapshot()->state[part::statistics]->figures();
-  return figures.contains(label) ? figures.at(label).voxels : 0;
-}
-
-Outcome done(Engine& engine, Command command) { return engine.wait(engine.post(std::move(command))); }
-
-}  // namespace
 
 class LabelsTest : public QObject {
   Q_OBJECT
@@ -107,15 +47,9 @@ class LabelsTest : public QObject {
   void AFailedEditLeavesEverythingAsItWas_data() { both_runners(); }
   void AFailedEditLeavesEverythingAsItWas();
   void ReviewMakesNothingStaleAndEditsDo();
-  void StepsReviewAndFiguresComeBackWithTheCase();
-  void SlicersStatusIsKnownAndKept();
   void EditsGoOnWhileAModelIsBuiltWhichIsStaleThen();
   void AnEditThatChangesNothingOutdatesNothing_data() { both_runners(); }
   void AnEditThatChangesNothingOutdatesNothing();
-  void ReviewComesWithTheLabelsThatItIsOf();
-  void ANewCaseKeepsNothingOfTheFormerOne_data() { both_runners(); }
-  void ANewCaseKeepsNothingOfTheFormerOne();
-  void WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan();
   void NothingToUndoOrToDrawOnIsSaid();
   void WhatAHandCorrectedIsReplacedOnlyWhenThatIsSaid();
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen_data() { both_runners(); }
@@ -242,58 +176,6 @@ void LabelsTest::ReviewMakesNothingStaleAndEditsDo() {
   QCOMPARE(engine->snapshot()->stage(part::labels), StageState::stale);
 }
 
-void LabelsTest::StepsReviewAndFiguresComeBackWithTheCase() {
-  const CtFolder files;
-  const auto engine = engine_of(Runner::inline_, files);
-  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
-  done(*engine, EditLabels{ball({40, 36, 42}, 5, structure::kPortalVein)});
-  done(*engine, UndoLabels{});
-  done(*engine, SetReview{structure::kParenchyma, ReviewState::approved});
-  const Outcome saved = done(*engine, SaveCase{files.path() / "a.glisson"});
-  QVERIFY2(saved.status == Status::done, saved.error.c_str());
-  const long painted = voxels(*engine, structure::kParenchyma);
-
-  const auto other = engine_of(Runner::inline_, files);
-  const Outcome opened = done(*other, OpenCase{files.path() / "a.glisson"});
-  QVERIFY2(opened.status == Status::done, opened.error.c_str());
-  const auto snapshot = other->snapshot();
-  QVERIFY(snapshot->state[part::labels]->voxels == engine->snapshot()->state[part::labels]->voxels);
-  QCOMPARE(snapshot->state[part::review]->at(structure::kParenchyma), ReviewState::approved);
-  QCOMPARE(voxels(*other, structure::kParenchyma), painted);
-  QVERIFY(snapshot->state[part::history]->can_undo() && snapshot->state[part::history]->can_redo());
-  done(*other, RedoLabels{});
-  QVERIFY(voxels(*other, structure::kPortalVein) > 0);
-  done(*other, UndoLabels{});
-  done(*other, UndoLabels{});
-  QCOMPARE(voxels(*other, structure::kParenchyma), 0L);
-}
-
-void LabelsTest::SlicersStatusIsKnownAndKept() {
-  const CtFolder files;
-  LabelMap labels;
-  labels.voxels = LabelVolume(small_grid());
-  labels.voxels.set({10, 10, 10}, structure::kParenchyma);
-  labels.voxels.set({12, 10, 10}, structure::kFirstLesion);
-  LabelInfo liver = structure_info(structure::kParenchyma), lesion = structure_info(structure::kFirstLesion);
-  liver.status = "completed";
-  lesion.status = "flagged";
-  write_labels(files.path() / "labels.seg.nrrd", labels.voxels, {liver, lesion});
-  const auto engine = engine_of(Runner::inline_, files);
-  done(*engine, ImportLabels{files.path() / "labels.seg.nrrd", {}});
-  QCOMPARE(engine->snapshot()->state[part::review]->at(structure::kParenchyma), ReviewState::approved);
-  QCOMPARE(engine->snapshot()->state[part::review]->at(structure::kFirstLesion), ReviewState::to_review);
-  done(*engine, SaveCase{files.path() / "a.glisson"});
-  const LabelFile written = read_labels(files.path() / "a.glisson" / "labels.seg.nrrd");
-  QCOMPARE(written.infos.size(), std::size_t{2});
-  QCOMPARE(written.infos[0].status, std::string("completed"));
-  QCOMPARE(written.infos[1].status, std::string("flagged"));
-  // The same in a file of its own.
-  QCOMPARE(done(*engine, ExportLabels{files.path() / "out.seg.nrrd"}).status, Status::done);
-  const LabelFile exported = read_labels(files.path() / "out.seg.nrrd");
-  QVERIFY(exported.voxels == labels.voxels);
-  QCOMPARE(exported.infos[0].status, std::string("completed"));
-}
-
 void LabelsTest::EditsGoOnWhileAModelIsBuiltWhichIsStaleThen() {
   const CtFolder files;
   auto gate = std::make_shared<Gate>();
@@ -332,75 +214,6 @@ void LabelsTest::AnEditThatChangesNothingOutdatesNothing() {
   const auto& after = engine->snapshot()->state;
   QVERIFY(after[part::labels] == before[part::labels] && after[part::history] == before[part::history]);
   QCOMPARE(after.stamp(part::labels).revision, before.stamp(part::labels).revision);
-}
-
-void LabelsTest::ReviewComesWithTheLabelsThatItIsOf() {
-  const CtFolder files;
-  LabelFile file;
-  file.voxels = LabelVolume(small_grid());
-  for (int i = 5; i < 20; ++i) {
-    file.voxels.set({i, 9, 9}, 1);
-    file.voxels.set({i, 12, 9}, 6);
-    file.voxels.set({i, 15, 9}, 7);
-  }
-  const auto info = [](Label code, const char* name, const char* status) {
-    LabelInfo made;
-    made.code = code;
-    made.name = name;
-    made.status = status;
-    return made;
-  };
-  file.infos = {info(1, "spleen", "completed"), info(6, "left", "completed"), info(7, "right", "inprogress")};
-  write_labels(files.path() / "other.seg.nrrd", file.voxels, file.infos);
-  const auto engine = engine_of(Runner::inline_, files);
-  // Code 1 is Glisson's parenchyma, but here it is a spleen, which is dropped.
-  const ImportLabels import{files.path() / "other.seg.nrrd",
-                            {{6, structure::kParenchyma}, {7, structure::kParenchyma}}};
-  const Outcome outcome = done(*engine, import);
-  QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
-  QCOMPARE(voxels(*engine, structure::kParenchyma), 30L);
-  QVERIFY(*engine->snapshot()->state[part::review] ==
-          (Review{{structure::kParenchyma, ReviewState::in_progress}}));
-}
-
-void LabelsTest::ANewCaseKeepsNothingOfTheFormerOne() {
-  QFETCH(Runner, runner);
-  const CtFolder files;
-  const auto engine = engine_of(runner, files);
-  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
-  QCOMPARE(done(*engine, SaveCase{files.path() / "former.glisson"}).status, Status::done);
-  QCOMPARE(done(*engine, ImportImage{files.path() / "ct.nrrd"}).status, Status::done);
-  QVERIFY(engine->snapshot()->state[part::labels] && !engine->snapshot()->state.path.empty());
-  QCOMPARE(engine->snapshot()->stage(part::labels), StageState::stale);
-  QCOMPARE(done(*engine, ImportImage{files.path() / "none.nrrd", {}, true}).status, Status::failed);
-  QVERIFY(engine->snapshot()->state[part::labels] != nullptr);
-  QCOMPARE(done(*engine, ImportImage{files.path() / "ct.nrrd", {}, true}).status, Status::done);
-  const CaseState& now = engine->snapshot()->state;
-  QVERIFY(now.path.empty() && now[part::image] && !now[part::labels] && !now[part::history] &&
-          !now[part::review]);
-  QCOMPARE(done(*engine, SaveCase{}).status, Status::failed);  // not over the former patient
-}
-
-void LabelsTest::WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan() {
-  const CtFolder files;
-  Gate gate;
-  const auto engine = engine_of(
-      Runner::threaded, files,
-      [&gate](const CaseState& state, const Command& command, const RunContext& context, const Services&) {
-        if ((command.as<SaveCase>() != nullptr)) gate.pass();
-        return apply(state, command, context);
-      });
-  const Editions begun = editions(engine->snapshot()->state);
-  const CommandId save = engine->post(SaveCase{files.path() / "case.glisson"});
-  gate.wait_for_arrival();
-  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
-  gate.open();
-  const Outcome outcome = engine->wait(save);
-  QCOMPARE(outcome.status, Status::done);
-  QVERIFY(outcome.result.as<CaseOnDisk>()->editions == begun);
-  QVERIFY(outcome.result.as<CaseOnDisk>()->editions != editions(engine->snapshot()->state));
-  const Outcome opened = done(*engine, OpenCase{files.path() / "case.glisson"});
-  QVERIFY(opened.result.as<CaseOnDisk>()->editions == editions(engine->snapshot()->state));
 }
 
 void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {
