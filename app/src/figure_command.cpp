@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's Figs. 5 and 6, measured again.
-#include <cmath>
-
 #include "cli.h"
 #include "commands.h"
 
@@ -16,85 +14,23 @@
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::app {
-namespace fs = std::filesystem;
 namespace {
 
-/// A figure with its picture.
-struct Drawn {
-  experiments::PaperFigure figure;
-  std::vector<ui::Plot> plots;
-};
-
-/// Millimetres; below 0 (nothing is drawn) where it is not known.
-double drawn_mm(double metres) { return std::isfinite(metres) ? 1e3 * metres : -1.0; }
-
-QString support_text(experiments::Support support) {
-  switch (support) {
-    case experiments::Support::notch:
-      return Cli::tr("falciform ligament at the notch");
-    case experiments::Support::cava:
-      return Cli::tr("vena cava");
-    case experiments::Support::both:
-      break;
-  }
-  return Cli::tr("both");
-}
-
-std::vector<ui::Plot> plots_of(const experiments::Sensitivity& found) {
-  const QString distance = Cli::tr("mean Hausdorff distance, mm");
-  ui::Plot places{Cli::tr("(a) place of the boundary conditions"),
-                  Cli::tr("shift along the surface, mm"),
-                  distance,
-                  {},
-                  {}};
-  ui::Plot stiffness{Cli::tr("(b) stiffness of the boundary conditions"),
-                     Cli::tr("times the reference's stiffness"),
-                     distance,
-                     {},
-                     {}};
-  for (const experiments::Support support : experiments::kSupports) {
-    ui::PlotSeries shifted{support_text(support), {}, {}, {}}, stiffened{support_text(support), {}, {}, {}};
-    for (const experiments::ShiftRow& row : found.shifts) {
-      if (row.support != support) continue;
-      shifted.values.emplace_back(1e3 * row.shift, drawn_mm(row.mean.surface));
-      shifted.low.push_back(drawn_mm(row.least));
-      shifted.high.push_back(drawn_mm(row.most));
+std::vector<ui::Plot> to_plots(const std::vector<experiments::FigurePlot>& plots) {
+  std::vector<ui::Plot> told;
+  for (const experiments::FigurePlot& plot : plots) {
+    ui::Plot one{Cli::tr(plot.title.c_str()), Cli::tr(plot.x.c_str()), Cli::tr(plot.y.c_str()), {}, {}};
+    for (const std::string& category : plot.categories) one.categories << QString::fromStdString(category);
+    for (const experiments::FigureSeries& series : plot.series) {
+      one.series.push_back({Cli::tr(series.name.c_str()), {}, series.low, series.high});
+      for (const auto& [x, y] : series.values) one.series.back().values.emplace_back(x, y);
     }
-    for (const experiments::StiffnessRow& row : found.stiffness) {
-      if (row.support != support) continue;
-      if (support == experiments::kSupports.front())
-        stiffness.categories << QStringLiteral("\u00d7 %1").arg(row.factor);
-      stiffened.values.emplace_back(static_cast<double>(stiffened.values.size()),
-                                    drawn_mm(row.distance.surface));
-    }
-    places.series.push_back(std::move(shifted));
-    stiffness.series.push_back(std::move(stiffened));
+    told.push_back(std::move(one));
   }
-  return {places, stiffness};
+  return told;
 }
 
-ui::Plot plot_of(const experiments::TransferStudy& study) {
-  ui::Plot plot{Cli::tr("the atlas laid on livers"),
-                Cli::tr("liver (s: synthetic; * not in the atlas)"),
-                Cli::tr("mean Hausdorff distance, mm"),
-                {},
-                {}};
-  ui::PlotSeries surface{Cli::tr("surface"), {}, {}, {}},
-      notch{Cli::tr("umbilical notch (in silico)"), {}, {}, {}}, cava{Cli::tr("vena cava"), {}, {}, {}};
-  for (const experiments::TransferRow& row : study.rows) {
-    const auto x = static_cast<double>(plot.categories.size());
-    QString name = QString::fromStdString(row.liver);
-    name.replace(QLatin1String("synthetic_"), QLatin1String("s "));  // slanted, there is room for few letters
-    plot.categories << name + (row.outside ? QStringLiteral(" *") : QString());
-    surface.values.emplace_back(x, drawn_mm(row.surface));
-    notch.values.emplace_back(x, drawn_mm(row.notch));
-    cava.values.emplace_back(x, drawn_mm(row.cava));
-  }
-  plot.series = {surface, notch, cava};
-  return plot;
-}
-
-Drawn transfer(const Arguments& arguments, Session& session) {
+experiments::PaperFigure transfer(const Arguments& arguments, Session& session) {
   using experiments::TransferStudyOptions;
   const bool quick = arguments.has("quick");
   TransferStudyOptions options = quick ? TransferStudyOptions::quick() : TransferStudyOptions();
@@ -103,9 +39,9 @@ Drawn transfer(const Arguments& arguments, Session& session) {
   options.seed = arguments.seed();
   const auto study = experiments::study_transfer(options, session.context());
   if (!study) throw Interrupted();
-  Drawn drawn{experiments::figure_of(*study), {plot_of(*study)}};
-  drawn.figure.command = "glisson figure 5";
-  return drawn;
+  experiments::PaperFigure figure = experiments::figure_of(*study);
+  figure.command = "glisson figure 5";
+  return figure;
 }
 
 /// The case's model with its landmarks, or the built-in synthetic patient's.
@@ -123,7 +59,7 @@ PatientModel patient_of(const Arguments& arguments, Session& session) {
   return std::move(made->model);
 }
 
-Drawn sensitivity(const Arguments& arguments, Session& session) {
+experiments::PaperFigure sensitivity(const Arguments& arguments, Session& session) {
   using experiments::SensitivityOptions;
   SensitivityOptions options = arguments.has("quick") ? SensitivityOptions::quick() : SensitivityOptions();
   const QString flank = arguments.value("flank");
@@ -135,19 +71,19 @@ Drawn sensitivity(const Arguments& arguments, Session& session) {
   session.with_names(
       [&] { found = experiments::boundary_sensitivity(model, options, session.context().part(0.2, 1.0)); });
   if (!found) throw Interrupted();
-  Drawn drawn{experiments::figure_of(*found), plots_of(*found)};
-  drawn.figure.command = "glisson figure 6 --flank " + flank.toStdString();
-  if (arguments.has("case")) drawn.figure.command += " --case " + arguments.path("case").filename().string();
-  return drawn;
+  experiments::PaperFigure figure = experiments::figure_of(*found);
+  figure.command = "glisson figure 6 --flank " + flank.toStdString();
+  if (arguments.has("case")) figure.command += " --case " + arguments.path("case").filename().string();
+  return figure;
 }
 
-void tell(const Drawn& drawn) {
-  say(QString::fromStdString(drawn.figure.title));
-  for (const experiments::Table* table : {&drawn.figure.table, &drawn.figure.paper}) {
+void tell(const experiments::PaperFigure& figure) {
+  say(QString::fromStdString(figure.title));
+  for (const experiments::Table* table : {&figure.table, &figure.paper}) {
     say(QString());
     for (const std::string& line : experiments::lines_of(*table)) say(QString::fromStdString(line));
   }
-  for (const std::string& name : drawn.figure.absent)
+  for (const std::string& name : figure.absent)
     say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(name)));
 }
 
@@ -176,15 +112,16 @@ int run_figure(const QStringList& given) {
         Cli::tr("NUMBER: is %1. Give 5 or 6: no other figure is measured.").arg(number).toStdString());
   OutputFolder folder(arguments.path("out"));
   Session session(arguments);
-  Drawn drawn = number == "5" ? transfer(arguments, session) : sensitivity(arguments, session);
-  drawn.figure.command +=
+  experiments::PaperFigure figure =
+      number == "5" ? transfer(arguments, session) : sensitivity(arguments, session);
+  figure.command +=
       (arguments.has("quick") ? " --quick" : "") + std::string(" --seed ") + std::to_string(arguments.seed());
-  experiments::write_figure(folder.path(), drawn.figure);
-  const std::string picture = "figure_" + std::to_string(drawn.figure.number) + ".png";
-  stereo::write_picture(folder.path() / picture, scene::to_picture(ui::draw_plots(drawn.plots)));
+  experiments::write_figure(folder.path(), figure);
+  const std::string picture = "figure_" + std::to_string(figure.number) + ".png";
+  stereo::write_picture(folder.path() / picture, scene::to_picture(ui::draw_plots(to_plots(figure.plots))));
   folder.commit();
-  tell(drawn);
-  session.figures.merge(drawn.figure.figures);
+  tell(figure);
+  session.figures.merge(figure.figures);
   session.texts["plot"] = (arguments.path("out") / picture).string();
   session.finish();
   return 0;

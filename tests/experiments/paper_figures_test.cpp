@@ -83,6 +83,7 @@ class PaperFiguresTest : public QObject {
     QCOMPARE(figure.figures.at("figure6_both_stiffness_1_mm") < 1e-6, true);
     QVERIFY(figure.figures.count("figure6_cava_exponent") == 1);
     QCOMPARE(figure.table.rows.size(), found->shifts.size() + found->stiffness.size());
+    plotsShowEveryRow(*found, figure);
   }
 
   void whatCannotBeIsRefused() {
@@ -124,10 +125,39 @@ class PaperFiguresTest : public QObject {
     QVERIFY(counted);
   }
 
+  void whatIsNotKnownHasNoBar() {
+    TransferStudy study;
+    study.rows = {{"synthetic_7", false, true, 0.001, 0.002, 0.003, 0.004, 0.005},
+                  {"0002", true, false, 0.001, 0.002, std::nan(""), 0.004, 0.005}};
+    const FigurePlot plot = figure_of(study).plots.at(0);
+    QCOMPARE(plot.categories, (std::vector<std::string>{"s 7 *", "0002"}));
+    QCOMPARE(plot.series.at(1).values.at(0).second, 3.0);
+    QCOMPARE(plot.series.at(1).values.at(1), (std::pair<double, double>{1.0, -1.0}));
+    QCOMPARE(plot.series.at(2).values.at(1).second, 4.0);
+  }
+
   void tablesKeepTheirColumnsAndQuoteCommas() {
     const Table table{{"a", "b"}, {{"x, y", "10"}, {"z", "2"}}};
     QCOMPARE(csv_of(table), std::string("a,b\n\"x, y\",10\nz,2\n"));
     QCOMPARE(lines_of(table), (std::vector<std::string>{"a      b", "x, y  10", "z      2"}));
+  }
+
+ private:
+  static void plotsShowEveryRow(const Sensitivity& found, const PaperFigure& figure) {
+    QCOMPARE(figure.plots.size(), std::size_t{2});
+    const FigurePlot &places = figure.plots[0], &stiffness = figure.plots[1];
+    QCOMPARE(stiffness.categories, (std::vector<std::string>{"× 0.1", "× 1"}));
+    QVERIFY(places.categories.empty());
+    for (const FigurePlot* plot : {&places, &stiffness}) QCOMPARE(plot->series.size(), kSupports.size());
+    for (std::size_t i = 0; i < kSupports.size(); ++i) {
+      const auto& [x, y] = places.series[i].values.at(2);
+      const ShiftRow& far = row(found, kSupports[i], 12e-3);
+      QCOMPARE(x, 12.0);
+      QCOMPARE(y, 1e3 * far.mean.surface);
+      QCOMPARE(places.series[i].low.at(2), 1e3 * far.least);
+      QCOMPARE(places.series[i].high.at(2), 1e3 * far.most);
+      QCOMPARE(stiffness.series[i].values.at(1).first, 1.0);
+    }
   }
 };
 

@@ -45,6 +45,8 @@ std::string in_millimetres(double metres) {
   return text;
 }
 
+double drawn_millimetres(double metres) { return std::isfinite(metres) ? 1e3 * metres : -1.0; }
+
 std::vector<std::string> lines_of(const Table& table) {
   std::vector<std::vector<std::string>> rows = {table.heads};
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());

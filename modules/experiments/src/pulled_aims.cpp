@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "aim_text.h"
+#include "marked_text.h"
 #include "glisson/experiments/pulled_proof.h"
 
 namespace glisson::experiments {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/registration_proof.h"
 
-#include "aim_text.h"
+#include "marked_text.h"
 
 namespace glisson::experiments {
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "glisson/experiments/sensitivity.h"
+#include "marked_text.h"
 
 namespace glisson::experiments {
 namespace {
@@ -97,6 +98,56 @@ Figures figures_in(const Sensitivity& found) {
   return figures;
 }
 
+const char* support_text(Support support) {
+  switch (support) {
+    case Support::notch:
+      return QT_TRANSLATE_NOOP("cli", "falciform ligament at the notch");
+    case Support::cava:
+      return QT_TRANSLATE_NOOP("cli", "vena cava");
+    case Support::both:
+      break;
+  }
+  return QT_TRANSLATE_NOOP("cli", "both");
+}
+
+FigurePlot plot_of_places(const Sensitivity& found) {
+  FigurePlot plot{QT_TRANSLATE_NOOP("cli", "(a) place of the boundary conditions"),
+                  QT_TRANSLATE_NOOP("cli", "shift along the surface, mm"),
+                  QT_TRANSLATE_NOOP("cli", "mean Hausdorff distance, mm"),
+                  {},
+                  {}};
+  for (const Support support : kSupports) {
+    FigureSeries shifted{support_text(support), {}, {}, {}};
+    for (const ShiftRow& row : found.shifts) {
+      if (row.support != support) continue;
+      shifted.values.emplace_back(1e3 * row.shift, drawn_millimetres(row.mean.surface));
+      shifted.low.push_back(drawn_millimetres(row.least));
+      shifted.high.push_back(drawn_millimetres(row.most));
+    }
+    plot.series.push_back(std::move(shifted));
+  }
+  return plot;
+}
+
+FigurePlot plot_of_stiffness(const Sensitivity& found) {
+  FigurePlot plot{QT_TRANSLATE_NOOP("cli", "(b) stiffness of the boundary conditions"),
+                  QT_TRANSLATE_NOOP("cli", "times the reference's stiffness"),
+                  QT_TRANSLATE_NOOP("cli", "mean Hausdorff distance, mm"),
+                  {},
+                  {}};
+  for (const Support support : kSupports) {
+    FigureSeries stiffened{support_text(support), {}, {}, {}};
+    for (const StiffnessRow& row : found.stiffness) {
+      if (row.support != support) continue;
+      if (support == kSupports.front()) plot.categories.push_back("× " + shown(row.factor, "%g"));
+      stiffened.values.emplace_back(static_cast<double>(stiffened.values.size()),
+                                    drawn_millimetres(row.distance.surface));
+    }
+    plot.series.push_back(std::move(stiffened));
+  }
+  return plot;
+}
+
 }  // namespace
 
 PaperFigure figure_of(const Sensitivity& found) {
@@ -114,6 +165,7 @@ PaperFigure figure_of(const Sensitivity& found) {
   figure.table = table_of(found);
   figure.paper = beside(found);
   figure.figures = figures_in(found);
+  figure.plots = {plot_of_places(found), plot_of_stiffness(found)};
   return figure;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "glisson/experiments/transfer_study.h"
+#include "marked_text.h"
 
 namespace glisson::experiments {
 namespace {
@@ -88,6 +89,35 @@ Figures figures_in(const TransferStudy& study) {
   return figures;
 }
 
+/// A liver's name under its bars: they are slanted, and there is room for few letters.
+std::string name_under_bars(const TransferRow& row) {
+  const std::string word = "synthetic_", letter = "s ";
+  std::string name = row.liver;
+  for (auto at = name.find(word); at != std::string::npos; at = name.find(word, at + letter.size()))
+    name.replace(at, word.size(), letter);
+  return name + (row.outside ? " *" : "");
+}
+
+FigurePlot plot_of(const TransferStudy& study) {
+  FigurePlot plot{QT_TRANSLATE_NOOP("cli", "the atlas laid on livers"),
+                  QT_TRANSLATE_NOOP("cli", "liver (s: synthetic; * not in the atlas)"),
+                  QT_TRANSLATE_NOOP("cli", "mean Hausdorff distance, mm"),
+                  {},
+                  {}};
+  FigureSeries surface{QT_TRANSLATE_NOOP("cli", "surface"), {}, {}, {}},
+      notch{QT_TRANSLATE_NOOP("cli", "umbilical notch (in silico)"), {}, {}, {}},
+      cava{QT_TRANSLATE_NOOP("cli", "vena cava"), {}, {}, {}};
+  for (const TransferRow& row : study.rows) {
+    const auto x = static_cast<double>(plot.categories.size());
+    plot.categories.push_back(name_under_bars(row));
+    surface.values.emplace_back(x, drawn_millimetres(row.surface));
+    notch.values.emplace_back(x, drawn_millimetres(row.notch));
+    cava.values.emplace_back(x, drawn_millimetres(row.cava));
+  }
+  plot.series = {surface, notch, cava};
+  return plot;
+}
+
 }  // namespace
 
 PaperFigure figure_of(const TransferStudy& study) {
@@ -108,6 +138,7 @@ PaperFigure figure_of(const TransferStudy& study) {
   figure.table = table_of(study);
   figure.paper = beside(study);
   figure.figures = figures_in(study);
+  figure.plots = {plot_of(study)};
   figure.absent = study.absent;
   return figure;
 }
