@@ -4,12 +4,7 @@
 #include <QFile>
 #include <QtTest>
 
-#include "glisson/experiments/atlas_proof.h"
-#include "glisson/experiments/live_proof.h"
-#include "glisson/experiments/patient_proof.h"
-#include "glisson/experiments/pulled_proof.h"
-#include "glisson/experiments/registration_proof.h"
-#include "glisson/experiments/stereo_proof.h"
+#include "glisson/experiments/proofs.h"
 
 using namespace glisson;
 using namespace glisson::experiments;
@@ -47,12 +42,9 @@ class FigurePagesTest : public QObject {
   void EachPageHasTheAimsOfTheProgram_data() {
     QTest::addColumn<QStringList>("aims");
     QTest::addColumn<bool>("is_wanted");
-    QTest::newRow("patient") << aims_of_program(patient_aims()) << true;
-    QTest::newRow("stereo") << aims_of_program(stereo_aims()) << true;
-    QTest::newRow("live") << aims_of_program(live_aims()) << true;
-    QTest::newRow("atlas") << aims_of_program(atlas_aims()) << true;
-    QTest::newRow("pulled") << aims_of_program(pulled_aims()) << true;
-    QTest::newRow("registration") << aims_of_program(registration_aims()) << false;
+    for (const Proof& proof : proofs())
+      QTest::newRow(proof.name) << aims_of_program(proof.aims())
+                                << (proof.name != std::string("registration"));
   }
   void EachPageHasTheAimsOfTheProgram() {
     QFETCH(QStringList, aims);
