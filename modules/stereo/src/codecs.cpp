@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/codecs.h"
 
+#include <algorithm>
 #include <array>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/stereo/picture_io.h"
 #include "streams.h"
 
 namespace glisson::stereo {
@@ -45,6 +47,22 @@ std::vector<std::string> video_codecs() {
   for (const Codec& codec : kCodecs)
     if (comes_back(codec, folder.path() / (std::string(codec.name) + ".mkv"))) found.emplace_back(codec.name);
   return found;
+}
+
+std::vector<std::string> lacking_codecs(const std::vector<std::string>& there) {
+  std::vector<std::string> lacking;
+  for (const char* needed : {"mpeg4", "h264"})
+    if (std::find(there.begin(), there.end(), needed) == there.end()) lacking.emplace_back(needed);
+  return lacking;
+}
+
+void try_recording() {
+  const TemporaryFolder folder;
+  const Picture grey{320, 240, 3,
+                     std::make_shared<std::vector<std::uint8_t>>(320UL * 240 * 3, std::uint8_t{128})};
+  VideoWriter writer(folder.path() / "tried.mkv", grey.width, grey.height, 25.0);
+  for (int frame = 0; frame < 5; ++frame) writer.write(grey);
+  writer.close();  // counts the frames that can be read back
 }
 
 }  // namespace glisson::stereo

@@ -12,4 +12,12 @@ namespace glisson::stereo {
 /// space.
 std::vector<std::string> video_codecs();
 
+/// Of the codecs without which recordings of most laparoscopes cannot be used ("mpeg4", "h264"), those that
+/// are not among `there`.
+std::vector<std::string> lacking_codecs(const std::vector<std::string>& there);
+
+/// Records a few frames as the program records, to the work folder. @throws FileError they cannot be read
+/// back.
+void try_recording();
+
 }  // namespace glisson::stereo
