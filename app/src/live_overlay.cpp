@@ -85,31 +85,29 @@ std::function<Picture(const engine::CaseState&, const StereoFrame&, const Overla
 }
 
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
-                  const FrameTaker& frame) {
+                  const guidance::FrameTaker& frame) {
   engine::StartTracking start;
   start.options = options;
   start.source = engine::StartTracking::Source::video;
   session.post(start);
-  const int first = session.state()[part::frame]->frame.index;
+  const guidance::FrameSpan span{session.state()[part::frame]->frame.index, last};
   const engine::VideoSource& source = *session.state()[part::video];
   stereo::StereoVideo video(source.left, source.right);
-  const int end = last >= 0 ? last + 1 : video.frame_count();
-  for (StereoFrame next; video.read(next);) {
-    if (next.index < first) continue;
-    frame(next, session.follow(next, static_cast<double>(next.index - first + 1) / (end - first)));
-    if (last >= 0 && next.index >= last) break;
-  }
+  const int frames = video.frame_count();
+  const auto followed = [&](const StereoFrame& next) {
+    return session.follow(next, span.done_with(next.index, frames));
+  };
+  guidance::each_frame(video, span, followed, frame);
 }
 
 void replay_video(Session& session, const TrackReplay& replay, const engine::VideoSource& source, int last,
-                  const FrameTaker& frame) {
+                  const guidance::FrameTaker& frame) {
   stereo::StereoVideo video(source.left, source.right);
-  for (StereoFrame next; video.read(next);) {
+  const auto known = [&](const StereoFrame& next) {
     if (session.context().cancelled()) throw Interrupted();
-    const auto overlay = replay.at(next.index, next.seconds, video.frames_per_second());
-    if (overlay) frame(next, *overlay);
-    if (last >= 0 && next.index >= last) break;
-  }
+    return replay.at(next.index, next.seconds, video.frames_per_second());
+  };
+  guidance::each_frame(video, {0, last}, known, frame);
 }
 
 }  // namespace glisson::app

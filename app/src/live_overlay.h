@@ -8,6 +8,7 @@
 #include "cli.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/guidance/each_frame.h"
 #include "glisson/guidance/tracker.h"
 #include "glisson/patient/track_replay.h"
 #include "glisson/stereo/paced_writer.h"
@@ -70,15 +71,14 @@ class OverlayRecorder {
 /// Draws a frame of a case. Makes the drawer when the first frame comes, and again only for another model.
 std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)> overlay_hook();
 
-using FrameTaker = std::function<void(const StereoFrame&, const OverlayFrame&)>;
 /// Follows the case's video from its registered frame and hands each frame over; every frame is processed.
 /// @param last number of the last frame, or -1 for all. @throws Error, Interrupted.
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
-                  const FrameTaker& frame);
+                  const guidance::FrameTaker& frame);
 /// Hands over each tracked frame of a video with what was known of it.
 /// @param video the source of the frames. @param last number of the last frame, or -1 for all.
 /// @throws Error, Interrupted; InputError where the track's time of a frame is not the video's.
 void replay_video(Session& session, const TrackReplay& replay, const engine::VideoSource& video, int last,
-                  const FrameTaker& frame);
+                  const guidance::FrameTaker& frame);
 
 }  // namespace glisson::app

@@ -20,6 +20,7 @@
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/track_record.h"
+#include "glisson/guidance/each_frame.h"
 #include "glisson/patient/correction.h"
 #include "glisson/patient/overlay_record.h"
 #include "glisson/stereo/picture_io.h"
@@ -114,14 +115,17 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
   if (!opened) throw Interrupted();
   stereo::StereoVideo& video = **opened;
   Corrections corrections(session, arguments.path("correct"), video.frame_count());
-  const double frames = std::max(1, video.frame_count());  // what is live has no count
   experiments::AgainEvery again(
       arguments.has("register-again") ? arguments.number("register-again", 1.0, 3600.0) : 0.0,
       again_command(session, arguments), [&](engine::Command command) { session.post(std::move(command)); },
       [&]() -> const engine::CaseState& { return session.state(); });
   MaskTeller mask;
-  for (StereoFrame frame; video.read(frame);) {
-    const OverlayFrame overlay = session.follow(frame, std::min(1.0, (frame.index + 1.0) / frames));
+  const guidance::FrameSpan whole;
+  const int frames = video.frame_count();
+  const auto followed = [&](const StereoFrame& frame) {
+    return session.follow(frame, whole.done_with(frame.index, frames));
+  };
+  const auto take = [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     record.add(frame.index, overlay);
     mask.look(session.state()[part::live]->mask);
     corrections.after(frame.index, record);
@@ -132,7 +136,8 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
         say(QString::fromStdString(tried->problem));  // the organ is followed from the former registration
     }
     teller.tell(session.state()[part::live]->overlay);  // as corrected
-  }
+  };
+  guidance::each_frame(video, whole, followed, take);
   if (session.context().cancelled()) throw Interrupted();
 }
 

@@ -132,7 +132,7 @@ struct Replayed {
 };
 
 /// Hands over each frame with what is known of it: from a track's record, or by following the video.
-void show_video(Session& session, const Replayed& replayed, int last, const FrameTaker& frame) {
+void show_video(Session& session, const Replayed& replayed, int last, const guidance::FrameTaker& frame) {
   if (replayed.track)
     replay_video(session, *replayed.track, replayed.video, last, frame);
   else

@@ -45,6 +45,7 @@
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/guidance/each_frame.h"
 #include "glisson/insilico/film.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/stereo/picture_io.h"
@@ -283,8 +284,8 @@ class DemoRun {
     OutlineTally outline, margin;
     const int frames = theatre_->frame_count();
     const RunContext progress = progress_.begin("track");
-    for (StereoFrame frame; video.read(frame);) {
-      const OverlayFrame overlay = take(script_.follow(frame));
+    const auto followed = [this](const StereoFrame& frame) { return take(script_.follow(frame)); };
+    const auto judge = [&](const StereoFrame& frame, const OverlayFrame& overlay) {
       evaluation.add(overlay);
       const Points truth = theatre_->carry(model().mesh.vertices, frame.index);
       if (const auto tried = again.after(frame.index, frame.seconds, context_)) tell_again(*tried);
@@ -295,7 +296,8 @@ class DemoRun {
         compare_margin(overlay, margin);
       }
       progress.progress(static_cast<double>(frame.index + 1) / frames, "demo.track");
-    }
+    };
+    guidance::each_frame(video, {}, followed, judge);
     if (overlay_video) {
       overlay_video->close();
       result_.overlay_video = folder_ / "overlay.mkv";
