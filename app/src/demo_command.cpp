@@ -67,14 +67,8 @@ bool has_display() {
   return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
 }
 
-}  // namespace
-
-int run_demo(const QStringList& given) {
-  experiments::DemoOptions options;
-  Arguments arguments("demo", Cli::tr("The main job from end to end: a patient becomes a model, an in-silico "
-                                      "theatre deforms and films the liver, the model "
-                                      "is registered to the pictures and follows the video; ends with an "
-                                      "overlay video and a report with the true errors."));
+void declare_demo(Arguments& arguments) {
+  const experiments::DemoOptions options;
   arguments.option("out", Cli::tr("The folder for the results."), "DIR", "glisson-demo");
   arguments.option(
       "patient",
@@ -102,7 +96,11 @@ int run_demo(const QStringList& given) {
   arguments.option("register-again", Cli::tr("Registers again every so many seconds of the film."),
                    "SECONDS");
   arguments.flag("headless", Cli::tr("Do not open the window at the end."));
-  if (!arguments.parse(given)) return 0;
+}
+
+/// @throws UsageError, FileError what is wrong with the arguments.
+experiments::DemoOptions options_of(const Arguments& arguments) {
+  experiments::DemoOptions options;
   options.patient = arguments.path("patient");
   if (!options.patient.empty() && !fs::exists(options.patient))
     throw FileError(options.patient.string() + ": does not exist. Check --patient.");
@@ -121,6 +119,27 @@ int run_demo(const QStringList& given) {
   }
   if (arguments.has("register-again"))
     options.register_again = arguments.number("register-again", 1.0, 3600.0);
+  return options;
+}
+
+/// Where the main files are, once they are in their place.
+void tell_files(const experiments::DemoResult& result, const fs::path& folder, Session& session) {
+  for (const auto& [name, path] :
+       {std::pair("case", result.case_folder), std::pair("overlay video", result.overlay_video),
+        std::pair("report", result.report)})
+    if (!path.empty()) session.texts[name] = (folder / path.filename()).string();
+}
+
+}  // namespace
+
+int run_demo(const QStringList& given) {
+  Arguments arguments("demo", Cli::tr("The main job from end to end: a patient becomes a model, an in-silico "
+                                      "theatre deforms and films the liver, the model "
+                                      "is registered to the pictures and follows the video; ends with an "
+                                      "overlay video and a report with the true errors."));
+  declare_demo(arguments);
+  if (!arguments.parse(given)) return 0;
+  const experiments::DemoOptions options = options_of(arguments);
   OutputFolder out(arguments.path("out"));
   Session session(arguments);
   const auto result = experiments::run_demo(
@@ -130,10 +149,7 @@ int run_demo(const QStringList& given) {
   session.figures = result->figures;
   session.notes = result->notes;
   const fs::path folder = arguments.path("out");
-  for (const auto& [name, path] :
-       {std::pair("case", result->case_folder), std::pair("overlay video", result->overlay_video),
-        std::pair("report", result->report)})
-    if (!path.empty()) session.texts[name] = (folder / path.filename()).string();
+  tell_files(*result, folder, session);
   session.finish();
   if (!arguments.has("headless") && has_display())
     QProcess::startDetached(QCoreApplication::applicationFilePath(),

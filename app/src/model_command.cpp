@@ -35,12 +35,8 @@ std::string surface_ending(const Arguments& arguments) {
   return ending;
 }
 
-}  // namespace
-
-int run_model(const QStringList& given) {
-  model::ModelOptions options;
-  Arguments arguments("model",
-                      Cli::tr("Builds the biomechanical model: tetrahedra, vessels, anterior margin."));
+void declare_model_command(Arguments& arguments) {
+  const model::ModelOptions options;
   declare_case(arguments);
   arguments.option("labels", Cli::tr("Labels to take instead of the case's."), "FILE");
   arguments.option(
@@ -76,12 +72,46 @@ int run_model(const QStringList& given) {
               "without the patient's name."),
       "FOLDER");
   arguments.option("format", Cli::tr("Of these surfaces: stl, ply, obj or vtp."), "FORMAT", "stl");
-  if (!arguments.parse(given)) return 0;
+}
+
+model::ModelOptions options_of(const Arguments& arguments) {
+  model::ModelOptions options;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
   if (arguments.has("edge")) options.mesh.edge_mm = arguments.number("edge", 1.0, 100.0);
   options.mesh.lesion_refinement = arguments.number("lesion-refinement", 0.1, 1.0);
   options.mesh.vessel_refinement = arguments.number("vessel-refinement", 0.2, 1.0);
   options.target_beams = arguments.integer("beams", 1, 100000);
+  return options;
+}
+
+/// From surfaces, from a label map, or from the case's labels.
+void build_model(const Arguments& arguments, Session& session, const model::ModelOptions& options,
+                 const LabelCodes& codes) {
+  if (arguments.has("surfaces")) {
+    session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options});
+  } else {
+    if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
+    session.post(engine::BuildModel{options});
+  }
+}
+
+/// What is written beside the case.
+void write_files(const Arguments& arguments, Session& session, const std::string& surface_ending) {
+  if (arguments.has("mesh-out"))
+    write_tet_mesh(arguments.path("mesh-out"), session.state()[part::model]->model.mesh,
+                   LengthUnit::millimetre);
+  if (arguments.has("surfaces-out"))
+    session.post(engine::ExportSurfaces{arguments.path("surfaces-out"), surface_ending});
+}
+
+}  // namespace
+
+int run_model(const QStringList& given) {
+  Arguments arguments("model",
+                      Cli::tr("Builds the biomechanical model: tetrahedra, vessels, anterior margin."));
+  declare_model_command(arguments);
+  if (!arguments.parse(given)) return 0;
+  const model::ModelOptions options = options_of(arguments);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   const std::string ending = surface_ending(arguments);
   arguments.require_existing("truth");
@@ -92,12 +122,7 @@ int run_model(const QStringList& given) {
   const LabelCodes codes = codes_of(arguments, "codes");
   Session session(arguments);
   if (std::filesystem::exists(arguments.required_path("case"))) open_case(arguments, session);
-  if (arguments.has("surfaces")) {
-    session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options});
-  } else {
-    if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
-    session.post(engine::BuildModel{options});
-  }
+  build_model(arguments, session, options, codes);
   if (!edits.empty()) session.post(engine::EditTrees{edits});
   say_stiffness(arguments, session);
   const PatientModel& model = session.state()[part::model]->model;
@@ -109,10 +134,7 @@ int run_model(const QStringList& given) {
     session.post(engine::SimulateOperations{});
     save_case(arguments, session);
   }
-  if (arguments.has("mesh-out"))
-    write_tet_mesh(arguments.path("mesh-out"), model.mesh, LengthUnit::millimetre);
-  if (arguments.has("surfaces-out"))
-    session.post(engine::ExportSurfaces{arguments.path("surfaces-out"), ending});
+  write_files(arguments, session, ending);
   session.finish();
   return 0;
 }

@@ -151,6 +151,66 @@ void correct_by_seeds(Session& session, const fs::path& path, const std::vector<
   session.post(engine::CorrectAround{added, seeds, locked});
 }
 
+void declare_segment(Arguments& arguments) {
+  declare_case(arguments);
+  arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
+  arguments.flag("correct",
+                 Cli::tr("Correct the case's labels around the clicks for and against the liver that the "
+                         "case does not have yet; the labels elsewhere stay."));
+  arguments.flag("propose", Cli::tr("Look for the liver without a click in it. Look at what comes of it."));
+  arguments.option("resolution", Cli::tr("Of the liver's contour, mm."), "MM",
+                   engine::Segment().options.working_spacing_mm);
+  arguments.option("only",
+                   Cli::tr("Find these anew and keep the other labels: liver, portal_vein, hepatic_veins, "
+                           "vena_cava, gallbladder, lesions, with commas."),
+                   "LIST");
+  arguments.option("region",
+                   Cli::tr("Only inside this box, and keep the labels outside: X0,Y0,Z0,X1,Y1,Z1, LPS mm."),
+                   "BOX");
+  arguments.option("lock",
+                   Cli::tr("These labels neither lose nor gain a voxel: parenchyma, portal_vein, "
+                           "hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas."),
+                   "LIST");
+  arguments.flag(
+      "keep-edited",
+      Cli::tr("Of labels that were corrected by hand keep each voxel that was, and replace the rest."));
+  arguments.flag(
+      "replace-edited",
+      Cli::tr("Replace labels that were corrected by hand, corrections and all. Without these two it "
+              "is only told what would change."));
+  arguments.option("modality", Cli::tr("ct or mr: what the volume is, where its file does not say."),
+                   "MODALITY");
+  arguments.option("network",
+                   Cli::tr("Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says "
+                           "what it wants and what its channels mean (see the manual)."),
+                   "MODEL.onnx");
+  declare_label_output(arguments);
+}
+
+/// What of the options excludes another.
+void refuse_mixtures(const Arguments& arguments) {
+  if (arguments.has("network"))
+    refuse_beside("network", arguments, {"seeds", "propose", "only", "region", "resolution"});
+  if (arguments.has("correct"))
+    refuse_beside("correct", arguments,
+                  {"network", "propose", "only", "region", "resolution", "keep-edited", "replace-edited"});
+}
+
+engine::Segment command_of(const Arguments& arguments) {
+  engine::Segment command;
+  command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
+  command.options.structures = structures_from(arguments.value("only"));
+  command.options.region = region_from(arguments.value("region"));
+  command.options.locked = locked_from(arguments.value("lock"));
+  command.over_hand_work = over_hand_work(arguments);
+  return command;
+}
+
+void say_modality(Modality modality, Session& session) {
+  session.call("modality", "--modality");
+  session.post(engine::SetModality{modality});
+}
+
 }  // namespace
 
 int run_import(const QStringList& given) {
@@ -183,66 +243,22 @@ int run_import(const QStringList& given) {
 int run_segment(const QStringList& given) {
   Arguments arguments(
       "segment", Cli::tr("Segments the liver, its vessels and lesions from seeds, or by your own network."));
-  declare_case(arguments);
-  arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
-  arguments.flag("correct",
-                 Cli::tr("Correct the case's labels around the clicks for and against the liver that the "
-                         "case does not have yet; the labels elsewhere stay."));
-  arguments.flag("propose", Cli::tr("Look for the liver without a click in it. Look at what comes of it."));
-  engine::Segment command;
-  arguments.option("resolution", Cli::tr("Of the liver's contour, mm."), "MM",
-                   command.options.working_spacing_mm);
-  arguments.option("only",
-                   Cli::tr("Find these anew and keep the other labels: liver, portal_vein, hepatic_veins, "
-                           "vena_cava, gallbladder, lesions, with commas."),
-                   "LIST");
-  arguments.option("region",
-                   Cli::tr("Only inside this box, and keep the labels outside: X0,Y0,Z0,X1,Y1,Z1, LPS mm."),
-                   "BOX");
-  arguments.option("lock",
-                   Cli::tr("These labels neither lose nor gain a voxel: parenchyma, portal_vein, "
-                           "hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas."),
-                   "LIST");
-  arguments.flag(
-      "keep-edited",
-      Cli::tr("Of labels that were corrected by hand keep each voxel that was, and replace the rest."));
-  arguments.flag(
-      "replace-edited",
-      Cli::tr("Replace labels that were corrected by hand, corrections and all. Without these two it "
-              "is only told what would change."));
-  arguments.option("modality", Cli::tr("ct or mr: what the volume is, where its file does not say."),
-                   "MODALITY");
-  arguments.option("network",
-                   Cli::tr("Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says "
-                           "what it wants and what its channels mean (see the manual)."),
-                   "MODEL.onnx");
-  declare_label_output(arguments);
+  declare_segment(arguments);
   if (!arguments.parse(given)) return 0;
   const bool proposes = arguments.has("propose"), by_network = arguments.has("network");
-  const bool corrects = arguments.has("correct");
-  if (by_network) refuse_beside("network", arguments, {"seeds", "propose", "only", "region", "resolution"});
-  if (corrects)
-    refuse_beside("correct", arguments,
-                  {"network", "propose", "only", "region", "resolution", "keep-edited", "replace-edited"});
+  refuse_mixtures(arguments);
   const fs::path seeds = proposes || by_network ? arguments.path("seeds") : arguments.required_path("seeds");
-  command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
-  command.options.structures = structures_from(arguments.value("only"));
-  command.options.region = region_from(arguments.value("region"));
-  command.options.locked = locked_from(arguments.value("lock"));
-  command.over_hand_work = over_hand_work(arguments);
+  const engine::Segment command = command_of(arguments);
   const auto modality = modality_from(arguments.value("modality"));
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
   if (!seeds.empty()) session.call("seeds", seeds.string());
-  if (modality) {
-    session.call("modality", "--modality");
-    session.post(engine::SetModality{*modality});
-  }
+  if (modality) say_modality(*modality, session);
   if (by_network)
     session.post(
         engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});
-  else if (corrects)
+  else if (arguments.has("correct"))
     correct_by_seeds(session, seeds, command.options.locked);
   else
     segment_by_seeds(session, command, seeds, proposes);

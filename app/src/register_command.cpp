@@ -22,13 +22,9 @@
 
 namespace glisson::app {
 namespace fs = std::filesystem;
-int run_register(const QStringList& given) {
-  Arguments arguments(
-      "register",
-      Cli::tr(
-          "Registers a model to a cloud: rigid start, then elastically. What is written keeps the model's "
-          "node "
-          "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
+namespace {
+
+void declare_register(Arguments& arguments) {
   declare_model(arguments);
   declare_materials(arguments);
   arguments.option("cloud",
@@ -81,16 +77,10 @@ int run_register(const QStringList& given) {
       "FILE.html");
   arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
-  if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.output_file("out", {".vtu", ".vtk", ".vtp", ".stl", ".obj", ".ply"});
-  const fs::path report =
-      arguments.has("report") ? arguments.output_file("report", {".html", ".htm"}) : fs::path();
-  const fs::path cloud = arguments.required_path("cloud");
-  const auto materials = given_materials(arguments);  // a slip is told before the work
-  arguments.require_existing("truth");
-  Session session(arguments);
-  const ModelArgument argument = load_model(arguments, session);
-  const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+}
+
+/// The cloud that is registered to, and the looks that are joined with it.
+void bring_clouds(const Arguments& arguments, Session& session, const fs::path& cloud, LengthUnit unit) {
   session.call("cloud", cloud.string());
   session.call("fixed nodes", arguments.path("fixed").string());
   session.post(engine::ImportCloud{cloud, unit});
@@ -102,23 +92,35 @@ int run_register(const QStringList& given) {
     session.call("look " + std::to_string(++number), look.toStdString());
     session.post(engine::KeepLook{look.toStdString(), unit});
   }
-  say_stiffness(arguments, session);
-  engine::Register command;
-  command.materials = materials;
-  command.fixed_nodes = fixed_nodes(arguments, session);
-  command.method = given_method(arguments);
-  const QString prior = arguments.value("prior");
-  if (prior != "operations" && prior != "none")
-    throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
-  command.operations = prior == "operations";
+}
+
+/// From where the organ's place is looked for.
+void set_start(const Arguments& arguments, LengthUnit unit, engine::Register& command) {
   if (arguments.value("rigid") == "none") {
     command.start = engine::Register::Start::none;
   } else if (arguments.value("rigid") == "auto") {
     if (arguments.has("near")) throw UsageError("--near: needs a matrix. Give its file by --rigid FILE.");
   } else {
     command.start = arguments.has("near") ? engine::Register::Start::near : engine::Register::Start::given;
-    command.given = registration::read_start(arguments.path("rigid"), argument.unit);
+    command.given = registration::read_start(arguments.path("rigid"), unit);
   }
+}
+
+engine::Register command_of(const Arguments& arguments, const Session& session, LengthUnit unit) {
+  engine::Register command;
+  command.materials = given_materials(arguments);
+  command.fixed_nodes = fixed_nodes(arguments, session);
+  command.method = given_method(arguments);
+  const QString prior = arguments.value("prior");
+  if (prior != "operations" && prior != "none")
+    throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
+  command.operations = prior == "operations";
+  set_start(arguments, unit, command);
+  return command;
+}
+
+/// Registers, and takes another place or what is in doubt where that is asked for.
+void register_as_told(const Arguments& arguments, Session& session, const engine::Register& command) {
   const Figures before = session.figures;
   session.post(command);
   if (arguments.has("rival")) {
@@ -126,25 +128,56 @@ int run_register(const QStringList& given) {
     session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 99) - 1)});
   }
   if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
+}
+
+void compare_with_truth(const Arguments& arguments, Session& session, LengthUnit unit) {
   const Registration& registration = *session.state()[part::registration];
-  if (arguments.has("truth")) {
-    const PatientModel& model = session.state()[part::model]->model;
-    const Points truth = experiments::read_true_nodes(arguments.path("truth"), argument.unit);
-    session.tell(experiments::target_errors(model, registration.nodes_in_camera, truth,
-                                            arguments.path("truth").string()));
-    session.tell(
-        experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
-  }
+  const PatientModel& model = session.state()[part::model]->model;
+  const Points truth = experiments::read_true_nodes(arguments.path("truth"), unit);
+  session.tell(experiments::target_errors(model, registration.nodes_in_camera, truth,
+                                          arguments.path("truth").string()));
+  session.tell(
+      experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
+}
+
+void write_report(const fs::path& report, const std::string& title, const Session& session) {
+  const Registration& registration = *session.state()[part::registration];
+  std::vector<std::string> doubts;
+  for (const std::string& doubt : registration.doubts) doubts.push_back(ui::note_text(doubt).toStdString());
+  experiments::write_registration_report(report, title, session.figures,
+                                         registration::ending_code(registration), doubts);
+}
+
+}  // namespace
+
+int run_register(const QStringList& given) {
+  Arguments arguments(
+      "register",
+      Cli::tr(
+          "Registers a model to a cloud: rigid start, then elastically. What is written keeps the model's "
+          "node "
+          "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
+  declare_register(arguments);
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.output_file("out", {".vtu", ".vtk", ".vtp", ".stl", ".obj", ".ply"});
+  const fs::path report =
+      arguments.has("report") ? arguments.output_file("report", {".html", ".htm"}) : fs::path();
+  const fs::path cloud = arguments.required_path("cloud");
+  (void)given_materials(arguments);  // a slip is told before the work
+  arguments.require_existing("truth");
+  Session session(arguments);
+  const ModelArgument argument = load_model(arguments, session);
+  const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+  bring_clouds(arguments, session, cloud, unit);
+  say_stiffness(arguments, session);
+  register_as_told(arguments, session, command_of(arguments, session, argument.unit));
+  if (arguments.has("truth")) compare_with_truth(arguments, session, argument.unit);
+  const Registration& registration = *session.state()[part::registration];
   const bool refused = registration::is_refused(registration);
   session.texts["registration_ended"] = registration::ending_code(registration);
   if (!refused) write_deformed(out, argument, session, registration);
-  if (!report.empty()) {
-    std::vector<std::string> doubts;
-    for (const std::string& doubt : registration.doubts) doubts.push_back(ui::note_text(doubt).toStdString());
-    experiments::write_registration_report(
-        report, argument.path.filename().string() + ", " + cloud.filename().string(), session.figures,
-        registration::ending_code(registration), doubts);
-  }
+  if (!report.empty())
+    write_report(report, argument.path.filename().string() + ", " + cloud.filename().string(), session);
   session.finish();
   if (!refused) return kDone;
   say(Cli::tr(

@@ -221,9 +221,9 @@ int run_calibrate(const QStringList& given) {
   return 0;
 }
 
-int run_reconstruct(const QStringList& given) {
-  Arguments arguments("reconstruct",
-                      Cli::tr("Turns a stereo pair into a labelled cloud in the left camera's frame."));
+namespace {
+
+void declare_reconstruct(Arguments& arguments) {
   arguments.option("left", Cli::tr("The left picture."), "L");
   arguments.option("right", Cli::tr("The right picture."), "R");
   arguments.option("calibration",
@@ -248,11 +248,10 @@ int run_reconstruct(const QStringList& given) {
                    Cli::tr("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
                            "distances. Read after everything else."),
                    "FILE");
-  if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.output_file("out", {".ply"});
-  if (arguments.has("density")) arguments.output_file("density", {".png", ".jpg", ".bmp"});
-  arguments.require_existing("truth");
-  Session session(arguments);
+}
+
+/// Brings calibration, pictures and regions into the session, under the names that the person gave them.
+void bring_pair(const Arguments& arguments, Session& session) {
   const engine::SetCalibration calibration{arguments.required_path("calibration")};
   const engine::LoadStereoPair pair{arguments.required_path("left"), arguments.required_path("right"),
                                     arguments.path("mask")};
@@ -270,20 +269,39 @@ int run_reconstruct(const QStringList& given) {
   if (plain_text) session.post(calibration);
   if (arguments.has("regions"))
     session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
-  engine::Reconstruct command;
-  command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
-  command.options.kind = features_of(arguments);
-  session.post(command);
-  const LabelledCloud& cloud = *session.state()[part::cloud];
+}
+
+/// How far off the cloud is, where its truth is given, and where its points are dense enough.
+void tell_cloud(const Arguments& arguments, Session& session) {
   if (arguments.has("truth"))
-    session.figures.merge(experiments::cloud_figures(cloud, session.state()[part::rig]->left,
+    session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
+                                                     session.state()[part::rig]->left,
                                                      arguments.path("truth"), arguments.unit("unit")));
   const stereo::DensityMap& density = session.state()[part::points]->density;
   session.figures["cloud_area_cm2"] = density.area_cm2;
   if (arguments.has("density"))
     stereo::write_picture(arguments.path("density"),
                           stereo::density_picture(density, session.state()[part::frame]->frame.left));
-  write_cloud(out, cloud, arguments.unit("unit"));
+}
+
+}  // namespace
+
+int run_reconstruct(const QStringList& given) {
+  Arguments arguments("reconstruct",
+                      Cli::tr("Turns a stereo pair into a labelled cloud in the left camera's frame."));
+  declare_reconstruct(arguments);
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.output_file("out", {".ply"});
+  if (arguments.has("density")) arguments.output_file("density", {".png", ".jpg", ".bmp"});
+  arguments.require_existing("truth");
+  Session session(arguments);
+  bring_pair(arguments, session);
+  engine::Reconstruct command;
+  command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
+  command.options.kind = features_of(arguments);
+  session.post(command);
+  tell_cloud(arguments, session);
+  write_cloud(out, *session.state()[part::cloud], arguments.unit("unit"));
   session.finish();
   return 0;
 }

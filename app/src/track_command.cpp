@@ -157,14 +157,42 @@ experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgume
   return output;
 }
 
-}  // namespace
+/// @throws UsageError not one source, or an option that means nothing to it.
+void require_source(const Arguments& arguments) {
+  if (arguments.has("video") == arguments.has("clouds"))
+    throw UsageError("--video, --clouds: one of them is needed. See 'glisson track --help'.");
+  if (arguments.has("correct") && !arguments.has("video"))
+    throw UsageError("--correct: needs pictures. Give --video with --calibration.");
+  if (arguments.has("register-again") && !arguments.has("video"))
+    throw UsageError("--register-again: needs pictures. Give --video with --calibration.");
+  if (arguments.has("mask-network") && !arguments.has("video"))
+    throw UsageError("--mask-network: needs pictures. Give --video with --calibration.");
+  arguments.require_existing("correct");
+}
 
-int run_track(const QStringList& given) {
-  Arguments arguments("track",
-                      Cli::tr("Follows a stereo video, or a series of clouds, from a registered start. "
-                              "Every frame is processed; one mesh a frame is written, numbered like its "
-                              "input, and a line of frames.jsonl with the level, the reason and the pose. "
-                              "What Ctrl-C cuts short is kept and marked INCOMPLETE."));
+/// Starts from what was registered, with the clouds' or the video's way of following.
+void start_tracking(const Arguments& arguments, Session& session, LengthUnit unit) {
+  session.call("start", arguments.required_path("start").string());
+  say_stiffness(arguments, session);
+  session.post(engine::ImportRegistration{arguments.required_path("start"), unit});
+  engine::StartTracking command;
+  command.materials = given_materials(arguments);
+  command.options.fixed_nodes = fixed_nodes(arguments, session);
+  command.options.cloud_method = given_method(arguments);
+  command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
+  if (arguments.has("clouds")) {
+    command.source = engine::StartTracking::Source::clouds;
+  } else {
+    const fs::path calibration = arguments.required_path("calibration");
+    session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
+    session.post(engine::LoadVideoFrame{0, arguments.path("mask")});
+    session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
+    command.mask = {arguments.path("mask-network"), arguments.integer("mask-every", 1, 1000)};
+  }
+  session.post(command);
+}
+
+void declare_track(Arguments& arguments) {
   declare_model(arguments);
   declare_materials(arguments);
   arguments.option("start", Cli::tr("What 'glisson register' wrote for this model and the first frame."),
@@ -208,47 +236,32 @@ int run_track(const QStringList& given) {
       "PATTERN");
   FrameTeller::declare(arguments);
   arguments.option("out", Cli::tr("The folder for the meshes."), "DIR");
+}
+
+}  // namespace
+
+int run_track(const QStringList& given) {
+  Arguments arguments("track",
+                      Cli::tr("Follows a stereo video, or a series of clouds, from a registered start. "
+                              "Every frame is processed; one mesh a frame is written, numbered like its "
+                              "input, and a line of frames.jsonl with the level, the reason and the pose. "
+                              "What Ctrl-C cuts short is kept and marked INCOMPLETE."));
+  declare_track(arguments);
   if (!arguments.parse(given)) return 0;
   FrameTeller teller(arguments);
   OutputFolder out(arguments.required_path("out"));
-  if (arguments.has("video") == arguments.has("clouds"))
-    throw UsageError("--video, --clouds: one of them is needed. See 'glisson track --help'.");
-  if (arguments.has("correct") && !arguments.has("video"))
-    throw UsageError("--correct: needs pictures. Give --video with --calibration.");
-  if (arguments.has("register-again") && !arguments.has("video"))
-    throw UsageError("--register-again: needs pictures. Give --video with --calibration.");
-  if (arguments.has("mask-network") && !arguments.has("video"))
-    throw UsageError("--mask-network: needs pictures. Give --video with --calibration.");
-  arguments.require_existing("correct");
+  require_source(arguments);
   std::vector<std::pair<int, fs::path>> clouds;
   if (arguments.has("clouds")) clouds = numbered(arguments.value("clouds")).existing();
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
-  session.call("start", arguments.required_path("start").string());
-  say_stiffness(arguments, session);
-  session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
-  engine::StartTracking command;
-  command.materials = given_materials(arguments);
-  command.options.fixed_nodes = fixed_nodes(arguments, session);
-  command.options.cloud_method = given_method(arguments);
-  command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
-  const bool from_clouds = arguments.has("clouds");
-  if (from_clouds) {
-    command.source = engine::StartTracking::Source::clouds;
-  } else {
-    const fs::path calibration = arguments.required_path("calibration");
-    session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
-    session.post(engine::LoadVideoFrame{0, arguments.path("mask")});
-    session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
-    command.mask = {arguments.path("mask-network"), arguments.integer("mask-every", 1, 1000)};
-  }
-  session.post(command);
+  start_tracking(arguments, session, argument.unit);
   const std::shared_ptr<const model::BuiltModel> tracked = session.state()[part::model];
   experiments::TrackRecord record(tracked->model, *session.state()[part::registration],
                                   output_of(arguments, argument, session, out.path()));
   const bool whole = until_interrupted([&] {
     teller.begin(tracked, session.context());
-    if (from_clouds)
+    if (arguments.has("clouds"))
       follow_clouds(session, arguments, argument, clouds, record, teller);
     else
       follow_film(session, arguments, record, teller);
