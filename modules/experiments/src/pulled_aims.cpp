@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "marked_text.h"
 #include "glisson/experiments/pulled_proof.h"
+#include "marked_text.h"
 
 namespace glisson::experiments {
 
