@@ -101,6 +101,14 @@ std::string vti() {
          values + "</DataArray></PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }
 
+/// A copy that was taken although the file could have told.
+void keep(const std::string& name, int copy, const std::string& bytes) {
+  fs::create_directories("fuzz_found");
+  const fs::path path = fs::path("fuzz_found") / (std::to_string(copy) + "-" + name);
+  write(path, bytes);
+  std::fprintf(stderr, "%s: other voxels, and it could be told\n", path.c_str());
+}
+
 Tally run(const std::string& name, int count) {
   const TemporaryFolder folder;
   const bool series = name == "dicom";
@@ -124,8 +132,7 @@ Tally run(const std::string& name, int count) {
     const int untold = tally.untold;
     write(victim, bad);
     read(path, good, could_tell(name, bytes, bad), tally);
-    if (tally.untold != untold)
-      std::fprintf(stderr, "%s, copy %d: other voxels, and it could be told\n", name.c_str(), n);
+    if (tally.untold != untold) keep(name, n, bad);
   }
   return tally;
 }

@@ -31,6 +31,8 @@ class LyingHeaderTest : public QObject {
   void PackedMetaImagesTellTheirSize();
   void NumbersAsTextAreCounted();
   void FilesElsewhereAreNotFollowed();
+  void BytesPutInAreToldFromPadding_data();
+  void BytesPutInAreToldFromPadding();
 };
 
 namespace {
@@ -311,6 +313,25 @@ void LyingHeaderTest::FilesElsewhereAreNotFollowed() {
     QCOMPARE(field_of(nrrd(file)), QString("data file"));
     QCOMPARE(field_of(meta(file)), QString("ElementDataFile"));
   }
+}
+
+void LyingHeaderTest::BytesPutInAreToldFromPadding_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"a.nii", "a.nrrd", "a.mha"}) QTest::newRow(name) << name;
+}
+void LyingHeaderTest::BytesPutInAreToldFromPadding() {
+  QFETCH(QString, name);
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / name.toStdString();
+  const std::string voxels = bytes_of(test::stored_world(0));
+  write_image(path, test::stored_world(0));
+  const std::string header = name == "a.nii"    ? read_file(path).substr(0, 352)
+                             : name == "a.nrrd" ? kNrrd
+                                                : kMeta;
+  write_file_atomically(path, header + voxels + std::string(3, '\0'));
+  QVERIFY(test::shows_world(read_image(path, RunContext()).value()));
+  write_file_atomically(path, header + std::string(voxels).insert(voxels.size() / 2, 3, '7'));
+  QCOMPARE(field_of(path), QString("size"));
 }
 
 QTEST_APPLESS_MAIN(LyingHeaderTest)

@@ -3,9 +3,11 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -73,6 +75,15 @@ std::string shown(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
+}
+
+/// Some writers fill up to a whole word, or end the line: what lies behind the voxels is then empty.
+/// Values there say that bytes were put in before.
+bool is_padding(const fs::path& file, std::uintmax_t from) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(from));
+  const auto is_empty = [](char c) { return c == 0 || c == '\n' || c == '\r'; };
+  return std::all_of(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>(), is_empty);
 }
 
 }  // namespace
@@ -167,7 +178,8 @@ void check_stored(const Request& request, const Stored& stored) {
   }
   if (bytes < stored.bytes)
     throw InputError(request.name, "voxels", "end early: the file is damaged", "Export it again");
-  if (bytes >= stored.bytes + stored.row_bytes)
+  if (bytes >= stored.bytes + stored.row_bytes ||
+      (!stored.packed && !is_padding(stored.file, stored.offset + static_cast<std::uintmax_t>(stored.bytes))))
     throw InputError(request.name, "size",
                      "says fewer voxels than the file holds (" + shown(stored.bytes) + " of " + shown(bytes) +
                          " bytes or more)",
