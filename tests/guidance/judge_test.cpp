@@ -32,6 +32,10 @@ class JudgeTest : public QObject, private phantom::JudgedFilm {
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree();
+  void WhatWasRefutedStaysWithdrawnWhileNothingIsSeen_data();
+  void WhatWasRefutedStaysWithdrawnWhileNothingIsSeen();
+  void WhatIsSetElsewhereIsNotShownWhileNothingIsSeen();
+  void WhatAgreedIsCoveredWhileNothingIsSeen();
   void WhatStaysOffIsToldFromWhatErrsOnce_data();
   void WhatStaysOffIsToldFromWhatErrsOnce();
   void VerdictsRepeat();
@@ -46,6 +50,21 @@ class JudgeTest : public QObject, private phantom::JudgedFilm {
       nodes(i, 2) -= by * t * t * (3.0 - 2.0 * t);
     }
     return nodes;
+  }
+  /// Two seconds of plain pictures, in which stereo sees nothing, while points are still followed.
+  /// @return what was said at each frame.
+  std::vector<Validity> said_of_nothing(Judge& judge, const Points& nodes, double since) const {
+    std::vector<Validity> said;
+    StereoFrame shown;
+    shown.left = phantom::plain(rig_.left, 120);
+    shown.right = phantom::plain(rig_.right, 120);
+    for (int k = 1; k <= 60; ++k) {
+      shown.seconds = since + k / 30.0;
+      OverlayFrame overlay;
+      overlay.nodes_in_camera = nodes;
+      said.push_back(judge.judge(shown, grid(rig_), overlay));
+    }
+    return said;
   }
 };
 
@@ -248,6 +267,58 @@ void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree() {
     QCOMPARE(said, is_right && k == confirmed ? Validity::valid : Validity::surface_apart);
     QCOMPARE(judge.is_undecided(), k < (is_right ? confirmed : refuted));
   }
+}
+
+void JudgeTest::WhatWasRefutedStaysWithdrawnWhileNothingIsSeen_data() {
+  QTest::addColumn<bool>("by_mean");
+  QTest::newRow("by single surfaces") << false;
+  QTest::newRow("by the mean of ten") << true;
+}
+
+void JudgeTest::WhatWasRefutedStaysWithdrawnWhileNothingIsSeen() {
+  QFETCH(bool, by_mean);
+  JudgeOptions options;
+  options.motion = 0.0;  // the same frame over and over
+  if (by_mean) {
+    options.gap = options.local = options.pull = 100.0;
+    options.behind = options.lifted = 1.0;
+  }
+  Judge judge(model_, rig_, {}, options);
+  const Points nodes = moved({0.0, 0.0, by_mean ? 9e-3 : -20e-3});
+  judge.begin(first_, nodes);
+  StereoFrame shown = first_;
+  Validity said = Validity::valid;
+  const int frames = by_mean ? 63 : 3;
+  for (int k = 1; k <= frames; ++k) {
+    shown.seconds = k / 30.0;
+    OverlayFrame overlay;
+    overlay.nodes_in_camera = nodes;
+    said = judge.judge(shown, grid(rig_), overlay);
+  }
+  QCOMPARE(said, Validity::surface_apart);
+  for (const Validity now : said_of_nothing(judge, nodes, shown.seconds))
+    QCOMPARE(now, Validity::surface_apart);
+}
+
+void JudgeTest::WhatIsSetElsewhereIsNotShownWhileNothingIsSeen() {
+  JudgeOptions options;
+  options.motion = 0.0;
+  Judge judge(model_, rig_, {}, options);
+  judge.begin(first_, nodes_);
+  judge.distrust();
+  for (const Validity now : said_of_nothing(judge, nodes_, 0.0)) QCOMPARE(now, Validity::surface_apart);
+  QVERIFY(!judge.is_undecided());  // it may be looked for again
+}
+
+void JudgeTest::WhatAgreedIsCoveredWhileNothingIsSeen() {
+  JudgeOptions options;
+  options.motion = options.contrast = 0.0;
+  Judge judge(model_, rig_, {}, options);
+  judge.begin(first_, nodes_);
+  const std::vector<Validity> said = said_of_nothing(judge, nodes_, 0.0);
+  QCOMPARE(said.front(), Validity::valid);
+  QCOMPARE(said.back(), Validity::partly_covered);
+  for (const Validity now : said) QVERIFY2(level_of(now) != Level::withdrawn, validity_code(now));
 }
 
 void JudgeTest::WhatStaysOffIsToldFromWhatErrsOnce_data() {

@@ -103,6 +103,8 @@ struct Judge::Impl {
                      evidence.behind / options.behind, evidence.lifted / options.lifted,
                      std::min(evidence.pull / options.pull, significant)});
   }
+  /// Stereo does not tell where the organ is: that it has nothing against the overlay is no agreement.
+  bool is_silent() const { return evidence.pull_sigma >= options.unknown && apartness() < 1.0; }
   /// 1 and more: too much is covered.
   double coverage() const {
     const double enough = std::max(options.least_supported, options.supported * first_supported);
@@ -129,10 +131,12 @@ struct Judge::Impl {
     take(seen);
     // Nothing hides the organ, both views show this moment, and it was found: what is seen is its tissue.
     if (!undecided && !poor.stands() && !stands.stands() && !views.stands()) tissue.add(seen.tissue);
-    apart.push(apartness(), 1.0, options.relief);
+    if (!is_silent()) {
+      apart.push(apartness(), 1.0, options.relief);
+      look_at_mean_gap();
+      against = apartness() >= 1.0 ? against + 1 : 0;
+    }
     covered.push(coverage(), 1.0, options.relief);
-    look_at_mean_gap();
-    against = apartness() >= 1.0 ? against + 1 : 0;
     ++looks;
     undecided = undecided && apart.stands() && against < kRefuted && looks < kMostUndecided;
   }
