@@ -25,6 +25,23 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
   void StandingPictureIsWithdrawn();
   void AStillPictureIsToldFromACopy_data();
   void AStillPictureIsToldFromACopy();
+  void ACopyIsToldWhereTooFewPointsTellOfMotion();
+
+ private:
+  /// Two in each part of the picture in which motion is asked for.
+  std::vector<FollowedPoint> sparse() const {
+    std::vector<FollowedPoint> points;
+    for (int i = 0; i < 32; ++i) {
+      FollowedPoint point;
+      point.id = i;
+      point.left = {80.0 * (i / 2 % 4) + 35.0 + 10.0 * (i % 2), 60.0 * (i / 8) + 30.0};
+      point.p_in_camera = 0.12 * rig_.left.ray(point.left);
+      point.right = rig_.right.project(rig_.right_from_left.rotation * point.p_in_camera +
+                                       rig_.right_from_left.translation);
+      points.push_back(point);
+    }
+    return points;
+  }
 };
 
 void JudgePictureTest::SmokeAndDarknessLoseSignalAndNoiseIsNone() {
@@ -227,6 +244,32 @@ void JudgePictureTest::AStillPictureIsToldFromACopy() {
                           .arg(validity_code(overlay.validity))
                           .arg(overlay.evidence.motion)
                           .arg(overlay.evidence.fresh)));
+}
+
+void JudgePictureTest::ACopyIsToldWhereTooFewPointsTellOfMotion() {
+  JudgeOptions options;
+  options.supported = options.least_supported = 0.0;  // only the picture is asked about
+  Judge judge(model_, rig_, {}, options);
+  judge.begin(first_, nodes_);
+  std::vector<StereoFrame> alive;  // one place, noise of its own in each
+  for (int k = 0; k < 4; ++k) alive.push_back(phantom::film(model_, nodes_, rig_, k));
+  int k = 0;
+  OverlayFrame overlay;
+  const auto judged = [&](const StereoFrame& shown) {
+    StereoFrame now = shown;
+    now.seconds = ++k / 30.0;
+    overlay.nodes_in_camera = nodes_;
+    return judge.judge(now, sparse(), overlay);
+  };
+  for (int n = 0; n < 30; ++n)  // a camera before a still scene
+    QCOMPARE(judged(alive[static_cast<std::size_t>(k % 4)]), Validity::valid);
+  int copies = 0;
+  while (copies < 30 && judged(first_) != Validity::picture_stands) ++copies;
+  QVERIFY2(copies <= 12, qPrintable(QString("%1 copies, fresh %2").arg(copies).arg(overlay.evidence.fresh)));
+  for (int n = 0; n < 20; ++n) QCOMPARE(judged(first_), Validity::picture_stands);
+  Validity said = Validity::picture_stands;
+  for (int n = 0; n < 10; ++n) said = judged(alive[static_cast<std::size_t>(k % 4)]);
+  QCOMPARE(said, Validity::valid);
 }
 
 QTEST_APPLESS_MAIN(JudgePictureTest)

@@ -82,7 +82,7 @@ struct Judge::Impl {
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
     poor.set(measured_contrast(first) < options.contrast);
-    for (Alarm* alarm : {&stands, &views, &repeated, &not_alive}) alarm->set(false);
+    for (Alarm* alarm : {&stands, &views, &repeated, &not_alive, &copies}) alarm->set(false);
     evidence.judged = true;
   }
 
@@ -130,7 +130,8 @@ struct Judge::Impl {
     const SurfaceEvidence seen = pending.get();
     take(seen);
     // Nothing hides the organ, both views show this moment, and it was found: what is seen is its tissue.
-    if (!undecided && !poor.stands() && !stands.stands() && !views.stands()) tissue.add(seen.tissue);
+    const bool is_now = !stands.stands() && !copies.stands() && !views.stands();
+    if (!undecided && !poor.stands() && is_now) tissue.add(seen.tissue);
     if (!is_silent()) {
       apart.push(apartness(), 1.0, options.relief);
       look_at_mean_gap();
@@ -176,7 +177,8 @@ struct Judge::Impl {
     evidence.rows = motion.rows();
     views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief,
                clock.passed());
-    if (left < 0.0 || right < 0.0) return;
+    if (left < 0.0 || right < 0.0) return look_at_copies();
+    copies.set(false);
     evidence.motion = std::min(left, right);
     if (evidence.motion >= options.motion) noise.learn();
     stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief, clock.passed());
@@ -189,10 +191,17 @@ struct Judge::Impl {
     not_alive.push(unsure, 1.0, options.relief, clock.passed());
   }
 
+  /// Where too few points lie together to tell of motion, a picture that comes again tells by itself.
+  void look_at_copies() {
+    if (!motion.is_whole() || noise.fresh() < 0.0) return;
+    evidence.fresh = noise.fresh();
+    copies.push(options.repeated / std::max(evidence.fresh, 1e-6), 1.0, options.relief, clock.passed());
+  }
+
   bool refutes() const { return apart.stands() || is_misplaced; }
   Validity verdict() const {
     if (views.stands()) return Validity::views_apart;
-    if (stands.stands() && repeated.stands()) return Validity::picture_stands;
+    if ((stands.stands() && repeated.stands()) || copies.stands()) return Validity::picture_stands;
     if (refutes()) return Validity::surface_apart;
     if (stands.stands() && not_alive.stands()) return Validity::picture_still;
     if (poor.stands()) return Validity::poor_picture;
@@ -215,7 +224,7 @@ struct Judge::Impl {
   int looks = 0;           ///< surfaces since it was set elsewhere
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4};  ///< by measurements
   /// By seconds. A picture that stands is a copy, or may be one.
-  Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2};
+  Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2}, copies{0.0, 0.2};
   bool is_misplaced = false;     ///< by the mean, which needs no more patience
   std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;

@@ -28,6 +28,8 @@ class MotionCheck {
   /// points and frames. Negative: too little is known yet.
   double motion_left() const { return motion_[0]; }
   double motion_right() const { return motion_[1]; }
+  /// Enough time has been seen. If motion is unknown all the same, too few points lie together.
+  bool is_whole() const;
   /// Median over the points of how far they are off their epipolar line, signed, less what it was at first:
   /// two views of one moment keep their rows. Pixels. A fault that is there from the first is no norm: not
   /// more than a calibration may leave is taken off.
@@ -46,7 +48,6 @@ class MotionCheck {
   };
 
   void keep(Frame now);
-  bool is_whole() const;
   void look_at_motion(const StereoRig& rig);
 
   std::deque<Frame> frames_;  ///< by the clock
