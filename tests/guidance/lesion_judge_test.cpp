@@ -31,6 +31,8 @@ class LesionJudgeTest : public QObject {
   void TheSpreadTurnsWithTheOrgan();
   void PointsFarFromABentOrganSayLittle();
   void WhatIsUnseenIsKnownLessAndLess();
+  void WhatIsUnseenStaysSoWhenARegistrationIsTaken();
+  void ATakenRegistrationSaysHowFarItsLesionsAreKnown();
   void NearPointsMakeItKnownAgain();
   void WhatWasOutOfSightAtFirstIsNotCountedTwice();
   void TheWholeIsNeverBetterThanItsLesions();
@@ -186,6 +188,45 @@ void LesionJudgeTest::WhatIsUnseenIsKnownLessAndLess() {
   for (int k = 1; k <= 300; ++k) verdict = worse.judge(frame(nodes, k), far_points)[0];
   QVERIFY(verdict.level == Level::degraded);
   QVERIFY(verdict.reason == LesionReason::long_unseen);
+}
+
+void LesionJudgeTest::WhatIsUnseenStaysSoWhenARegistrationIsTaken() {
+  const Registration registration = start(round_spread(8.5e-3));
+  LesionJudge judge(model_, registration);
+  const Points& nodes = registration.nodes_in_camera;
+  judge.judge(frame(nodes, 0), points_at(nodes, 0.0));
+  const Points far_points = points_at(nodes, 50e-3);
+  LesionVerdict before;
+  int k = 1;
+  for (; k <= 300; ++k) before = judge.judge(frame(nodes, k), far_points)[0];
+  QVERIFY(before.level == Level::degraded && before.reason == LesionReason::long_unseen);
+  for (int times = 0; times < 2; ++times) {  // and back
+    judge.take(registration);
+    for (int n = 0; n < 10; ++n, ++k) {
+      const LesionVerdict after = judge.judge(frame(nodes, k), far_points)[0];
+      QVERIFY2(after.unseen >= before.unseen, qPrintable(QString::number(after.unseen)));
+      QVERIFY2(after.reach >= before.reach - 1e-9, qPrintable(QString::number(after.reach)));
+      QVERIFY(after.level == Level::degraded && after.reason == LesionReason::long_unseen);
+    }
+  }
+  for (int n = 0; n < 3; ++n, ++k) before = judge.judge(frame(nodes, k), points_at(nodes, 0.0))[0];
+  QCOMPARE(before.unseen, 0.0);
+}
+
+void LesionJudgeTest::ATakenRegistrationSaysHowFarItsLesionsAreKnown() {
+  const Registration worse = start(round_spread(12e-3)), better = start(round_spread(5e-3));
+  LesionJudge judge(model_, worse);
+  const Points& nodes = worse.nodes_in_camera;
+  const Points near_points = points_at(nodes, 0.0);
+  QVERIFY(judge.judge(frame(nodes, 0), near_points)[0].level == Level::degraded);
+  judge.take(better);
+  QVERIFY(judge.judge(frame(nodes, 1), near_points)[0].level == Level::valid);  // at once
+  judge.take(worse);
+  QVERIFY(judge.judge(frame(nodes, 2), near_points)[0].level == Level::degraded);
+  Registration refused = better;
+  refused.doubts = {"refusal_accepted"};
+  judge.take(refused);
+  QVERIFY(judge.judge(frame(nodes, 3), near_points)[0].reason == LesionReason::refused_start);
 }
 
 void LesionJudgeTest::NearPointsMakeItKnownAgain() {

@@ -70,17 +70,15 @@ struct LesionJudge::Impl {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     bool known = false;
     Alarm wide{2, 3}, useless{2, 3};
-    double near_at = 0.0;  ///< seconds of the video
-    double support = 0.0;  ///< of the last frame that had points
+    bool is_renewed = false;  ///< its covariance is another one, and the alarms are of the former
+    double near_at = 0.0;     ///< seconds of the video
+    double support = 0.0;     ///< of the last frame that had points
     double far_at_start = 0.0;
   };
 
   Impl(const PatientModel& model, const Registration& registration, const LesionOptions& given)
-      : options(given), mesh(model.mesh), start(registration.nodes_in_camera) {
+      : options(given), mesh(model.mesh) {
     options.validate();
-    require(start.rows() == mesh.vertex_count(), "a registration has the nodes of its model");
-    refused = registration::is_refused(registration) ||
-              registration::has_doubt(registration, registration::kRefusalAccepted);
     const auto found = lesion_centres(model);
     Points centres(static_cast<Eigen::Index>(found.size()), 3);
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -91,15 +89,30 @@ struct LesionJudge::Impl {
       const Points places = places_of(model, label);
       if (places.rows() > 0)
         lesion.radius = (places.rowwise() - centre.transpose()).rowwise().norm().maxCoeff();
-      for (const LesionSpread& spread : registration.lesions)
-        if (spread.lesion == label) lesion.covariance = spread.covariance;
-      lesion.known = lesion.covariance.allFinite() && lesion.covariance.trace() > 0.0;
-      const double reach = lesion.known ? reach_of(lesion.covariance) : 0.0;
-      lesion.wide.set(reach >= options.margin);
-      lesion.useless.set(reach >= options.useless);
       lesions.push_back(lesion);
     }
     binding = bind_points(mesh, centres);
+    know(registration);
+    for (Lesion& lesion : lesions) {
+      const double reach = lesion.known ? reach_of(lesion.covariance) : 0.0;
+      lesion.wide.set(reach >= options.margin);
+      lesion.useless.set(reach >= options.useless);
+    }
+  }
+
+  /// What the registration says of itself and of its lesions.
+  void know(const Registration& registration) {
+    require(registration.nodes_in_camera.rows() == mesh.vertex_count(),
+            "a registration has the nodes of its model");
+    start = registration.nodes_in_camera;
+    refused = registration::is_refused(registration) ||
+              registration::has_doubt(registration, registration::kRefusalAccepted);
+    for (Lesion& lesion : lesions) {
+      lesion.covariance.setZero();
+      for (const LesionSpread& spread : registration.lesions)
+        if (spread.lesion == lesion.label) lesion.covariance = spread.covariance;
+      lesion.known = lesion.covariance.allFinite() && lesion.covariance.trace() > 0.0;
+    }
   }
 
   /// What follows from the region's size and from the whole.
@@ -137,6 +150,18 @@ struct LesionJudge::Impl {
     return reach_of(with_shape) >= reached ? LesionReason::far_from_points : LesionReason::long_unseen;
   }
 
+  void look_at_reach(Lesion& lesion, double reach) const {
+    const bool is_renewed = std::exchange(lesion.is_renewed, false);
+    for (const auto& [alarm, limit] :
+         {std::pair(&lesion.wide, options.margin), {&lesion.useless, options.useless}}) {
+      const double share = reach / limit;
+      if (is_renewed)
+        alarm->set(share >= (alarm->stands() ? options.relief : 1.0));
+      else
+        alarm->push(share, 1.0, options.relief);
+    }
+  }
+
   LesionVerdict judge(Lesion& lesion, const Eigen::Vector3d& centre, const OverlayFrame& overlay,
                       const Points& tracked, const RigidMotion& motion, double changed) {
     // While nothing is tracked, the last support is what it was: the time says that it is not fresh.
@@ -151,10 +176,7 @@ struct LesionJudge::Impl {
     const double free = options.unknown_forces * options.unknown_forces;
     const double by_time = lost * free * (1.0 - std::exp(-unseen / options.settle));
     const Eigen::Matrix3d now = at_start + Eigen::Matrix3d::Identity() * (by_shape + by_time) / 3.0;
-    if (lesion.known) {
-      lesion.wide.push(reach_of(now) / options.margin, 1.0, options.relief);
-      lesion.useless.push(reach_of(now) / options.useless, 1.0, options.relief);
-    }
+    if (lesion.known) look_at_reach(lesion, reach_of(now));
     LesionVerdict result = verdict(lesion, centre, now, overlay.level());
     result.support = lesion.support;
     result.unseen = unseen;
@@ -177,6 +199,11 @@ LesionJudge::LesionJudge(const PatientModel& model, const Registration& start, c
 LesionJudge::~LesionJudge() = default;
 LesionJudge::LesionJudge(LesionJudge&&) noexcept = default;
 LesionJudge& LesionJudge::operator=(LesionJudge&&) noexcept = default;
+
+void LesionJudge::take(const Registration& registration) {
+  impl_->know(registration);
+  for (Impl::Lesion& lesion : impl_->lesions) lesion.is_renewed = true;
+}
 
 std::vector<LesionVerdict> LesionJudge::judge(const OverlayFrame& overlay, const Points& tracked) {
   std::vector<LesionVerdict> verdicts;

@@ -282,7 +282,7 @@ struct Tracker::Impl {
       take_shape(renewal.shape, change);
     relocator->rebind(change.of_surface);
     hand->accept(std::move(renewal));
-    lesions = LesionJudge(patient, registration, options.lesions);
+    lesions.take(registration);
     doubtful = !registration.doubts.empty();
     going_over.reset();
     // Evidence against a refuted place says nothing of the new one; evidence for a shown one goes on

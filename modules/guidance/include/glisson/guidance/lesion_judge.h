@@ -40,6 +40,9 @@ class LesionJudge {
   LesionJudge(LesionJudge&&) noexcept;
   LesionJudge& operator=(LesionJudge&&) noexcept;
 
+  /// Goes on from another registration of the same model. When a lesion's surroundings were seen last, and
+  /// how near, stays known: a new registration has seen nothing new. @pre as of the constructor.
+  void take(const Registration& registration);
   /// Frames in their order. @param tracked places of the organ that were seen in this frame, camera frame.
   /// @return one verdict a lesion of the model, by label.
   std::vector<LesionVerdict> judge(const OverlayFrame& overlay, const PointsIn<CameraFrame>& tracked);
