@@ -61,9 +61,11 @@ struct Registered {
 /// As RegisterAgain says of itself, without its hour's work.
 struct Offered : RegisterAgain {
   double x = 0.0;
+  std::vector<std::string> doubts;
   Cancellable<Applied> apply(const CaseState& state, const RunContext&) const {
     Applied applied{state};
     OtherRegistration offered;
+    offered.registration.doubts = doubts;
     offered.registration.nodes_in_camera = somewhere(x);
     offered.is_better = true;
     applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(offered);
@@ -89,6 +91,8 @@ class AgainTest : public QObject {
  private slots:
   void WhatIsOfferedIsTakenAndNothingIsOutOfDate_data() { test::both_runners(); }
   void WhatIsOfferedIsTakenAndNothingIsOutOfDate();
+  void ARefusedOneIsNotTaken_data() { test::both_runners(); }
+  void ARefusedOneIsNotTaken();
   void AnOfferOfAFormerRegistrationIsOutOfDate_data() { test::both_runners(); }
   void AnOfferOfAFormerRegistrationIsOutOfDate();
   void TheLivePartTellsOfTheTissue_data() { test::both_runners(); }
@@ -144,6 +148,25 @@ void AgainTest::WhatIsOfferedIsTakenAndNothingIsOutOfDate() {
   QCOMPARE(registered(engine), 1.0);
   QVERIFY(!engine.snapshot()->state[part::other_registration]->is_former);
   current(engine);
+}
+
+void AgainTest::ARefusedOneIsNotTaken() {
+  QFETCH(Runner, runner);
+  Engine engine(options(runner));
+  ask(engine, Registered{1.0});
+  ask(engine, StartTracking{});
+  follow(engine, 1);
+  Offered refused = offer(2.0);
+  refused.doubts = {"refused"};
+  QCOMPARE(ask(engine, refused).status, Status::done);
+  const Outcome outcome = ask(engine, TakeRegistration{});
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY2(outcome.error.find("was refused") != std::string::npos, outcome.error.c_str());
+  QCOMPARE(registered(engine), 1.0);
+  QCOMPARE(shown(engine), 1.0);
+  current(engine);
+  follow(engine, 2);
+  QCOMPARE(shown(engine), 1.0);
 }
 
 void AgainTest::AnOfferOfAFormerRegistrationIsOutOfDate() {

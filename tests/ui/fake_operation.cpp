@@ -374,6 +374,7 @@ bool FakeOperation::change(engine::Applied& applied, const engine::RegisterAgain
   engine::OtherRegistration offered;
   offered.registration = *applied.state[part::registration];
   offered.registration.nodes_in_camera.col(0).array() += 3e-3;
+  if (!again_doubts.empty()) offered.registration.doubts = again_doubts;
   offered.is_better = again_is_better;
   offered.former_gap = 1.6e-3;
   offered.gap = again_is_better ? 0.4e-3 : 1.5e-3;

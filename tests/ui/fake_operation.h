@@ -49,6 +49,7 @@ class FakeOperation {
   std::atomic<Validity> live_validity{Validity::valid};
   std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
   std::atomic<bool> again_is_better{true};               ///< a registration that is made while one follows
+  std::vector<std::string> again_doubts;                 ///< of that one
   std::optional<engine::MaskStatus> mask;                ///< of every live frame; before tracking begins
   double rival_away = 0.0;                               ///< metres; 0: the registration has no rival
   std::optional<CameraFromCt> start;                     ///< that the last registration was to begin near

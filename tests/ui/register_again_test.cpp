@@ -35,6 +35,7 @@ class RegisterAgainTest : public QObject {
   void cleanup();
   void OneKeyRegistersAgainAndTheBetterOneIsShown();
   void WhatIsNoBetterIsLeftToThePerson();
+  void WhatIsRefusedCannotBeTaken();
   void TheSameKeyCancelsAndTheFormerOneStays();
   void AnEndOfTheVideoEndsNothing();
   void WhatWasDoneStandsBesideTheRecording();
@@ -85,6 +86,19 @@ void RegisterAgainTest::WhatIsNoBetterIsLeftToThePerson() {
   QVERIFY2(guidance().said().startsWith(QStringLiteral("Not taken")), qPrintable(guidance().said()));
   QTest::mouseClick(guidance().button("exchange_registration"), Qt::LeftButton);
   QTRY_VERIFY(std::abs(place_x() - before - 3e-3) < 1e-9);
+}
+
+void RegisterAgainTest::WhatIsRefusedCannotBeTaken() {
+  case_->operation->again_is_better = false;
+  case_->operation->again_doubts = {"refused"};
+  const double before = place_x();
+  QTest::mouseClick(guidance().button("register_again"), Qt::LeftButton);
+  QTRY_VERIFY2(guidance().said().startsWith(QStringLiteral("Not taken")), qPrintable(guidance().said()));
+  QTRY_VERIFY(is_idle());
+  QVERIFY(!guidance().button("exchange_registration")->isEnabled());
+  guidance().again.exchange();
+  QVERIFY(is_idle());
+  QVERIFY(std::abs(place_x() - before) < 1e-9);
 }
 
 void RegisterAgainTest::TheSameKeyCancelsAndTheFormerOneStays() {

@@ -5,6 +5,7 @@
 #include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/patient/overlay_record.h"
+#include "glisson/registration/refusal.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
 
@@ -33,7 +34,8 @@ void AgainModel::read_case() {
 void AgainModel::read_other() {
   const bool stands = other() != nullptr &&
                       engine_.snapshot()->stage(part::other_registration) == engine::StageState::current;
-  can_exchange = is_offered && stands && !registering_ && !exchanging_;
+  can_exchange = is_offered && stands && !registering_ && !exchanging_ &&
+                 !registration::is_refused(other()->registration);
   is_former = other() != nullptr && other()->is_former;
 }
 

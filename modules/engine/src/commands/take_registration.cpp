@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/registration/refusal.h"
 
 namespace glisson::engine {
 
@@ -25,6 +26,9 @@ Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunCo
                                              const Services& services) const {
   Follower& follower = follower_of(services);
   OtherRegistration former = *state[part::other_registration];
+  if (registration::is_refused(former.registration))
+    throw InputError("registration", "the other one", "was refused: what is known contradicts it",
+                     "Register again, from more of the surface");
   auto taken = std::make_shared<const Registration>(std::move(former.registration));
   Applied applied = with_live(state, follower.take(*taken), follower);
   keep_former_registration(applied.state, state);

@@ -35,7 +35,7 @@ class AgainModel : public QObject {
   // For widgets to read.
   QProperty<bool> is_offered{false};    ///< there is a live organ to be registered again
   QProperty<bool> is_running{false};    ///< one is on its way
-  QProperty<bool> can_exchange{false};  ///< another registration is there
+  QProperty<bool> can_exchange{false};  ///< another registration is there, not a refused one
   QProperty<bool> is_former{false};     ///< the other one is the one that there was before
   QProperty<QString> said, tone;
 
