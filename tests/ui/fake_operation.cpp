@@ -54,11 +54,13 @@ namespace glisson {
 namespace {
 class Breathing : public engine::Follower {
  public:
-  Breathing(Points nodes, const std::atomic<Validity>& validity, std::optional<engine::MaskStatus> mask)
-      : nodes_(std::move(nodes)), mask_(std::move(mask)), validity_(validity) {}
+  Breathing(Points nodes, const std::atomic<Validity>& validity, std::atomic<bool>& fails,
+            std::optional<engine::MaskStatus> mask)
+      : nodes_(std::move(nodes)), mask_(std::move(mask)), validity_(validity), fails_(fails) {}
   std::optional<engine::MaskStatus> mask_status() const override { return mask_; }
   OverlayFrame follow(const engine::LiveInput& input) override {
     const auto& frame = std::get<StereoFrame>(input);
+    if (fails_.exchange(false)) throw NumericalError("the mechanics: no solution. Start tracking again.");
     OverlayFrame overlay;
     overlay.index = frame.index;
     overlay.seconds = frame.seconds;
@@ -123,6 +125,7 @@ class Breathing : public engine::Follower {
   std::vector<CorrectionMade> made_;
   std::optional<engine::MaskStatus> mask_;
   const std::atomic<Validity>& validity_;
+  std::atomic<bool>& fails_;
 };
 }  // namespace
 
@@ -150,7 +153,8 @@ engine::Engine::Options FakeOperation::options() {
     return apply(state, command, context);
   };
   options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
-    return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity, mask);
+    return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity,
+                                       next_frame_fails, mask);
   };
   return options;
 }

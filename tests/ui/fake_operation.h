@@ -47,6 +47,7 @@ class FakeOperation {
   std::atomic<bool> hold{false};
   /// Of every live frame.
   std::atomic<Validity> live_validity{Validity::valid};
+  std::atomic<bool> next_frame_fails{false};             ///< the next live frame cannot be followed
   std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
   std::atomic<bool> again_is_better{true};               ///< a registration that is made while one follows
   std::vector<std::string> again_doubts;                 ///< of that one

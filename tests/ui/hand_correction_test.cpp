@@ -37,6 +37,7 @@ class HandCorrectionTest : public QObject {
   void TheButtonAndTheKeyBeginAndEnd();
   void WhatIsNotTheOrganIsNotTakenHoldOf();
   void ARefusedDragSaysWhyAndChangesNothing();
+  void AFrameThatFailsWhileTheHandHoldsEndsTheDrag();
   void EscapeLeavesNothing();
   void NothingIsCorrectedOfAFormerFrame();
   void CorrectionsStandBesideTheRecording();
@@ -157,6 +158,23 @@ void HandCorrectionTest::ARefusedDragSaysWhyAndChangesNothing() {
   QCOMPARE(place_x(), before);
   QVERIFY(guidance().correction.record().empty());
   QVERIFY(engine().snapshot()->tracking);
+}
+
+void HandCorrectionTest::AFrameThatFailsWhileTheHandHoldsEndsTheDrag() {
+  QTest::mousePress(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(0.0));
+  QVERIFY(guidance().correction.line.value().has_value());
+  case_->operation->next_frame_fails = true;
+  guidance().playback.step();
+  QTRY_COMPARE(live().overlay.nodes_in_camera.rows(), 0);
+  QTest::qWait(300);
+  move(10.0);
+  QVERIFY(!guidance().correction.line.value());
+  QTest::mouseRelease(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(10.0));
+  QCOMPARE(standing(), std::size_t{0});
+  guidance().playback.step();
+  QTRY_VERIFY(live().overlay.nodes_in_camera.rows() > 0);
+  drag(12.0, Qt::ShiftModifier);
+  QCOMPARE(standing(), std::size_t{1});
 }
 
 void HandCorrectionTest::EscapeLeavesNothing() {

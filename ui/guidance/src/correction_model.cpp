@@ -118,9 +118,12 @@ void CorrectionModel::undo() {
 }
 
 void CorrectionModel::send_piece(bool is_last) {
-  if (live() == nullptr) return give_up();
-  // From where the place is drawn by all that has arrived.
   const engine::CaseState& now = engine_.state();
+  // A frame that could not be followed has no nodes.
+  if (live() == nullptr ||
+      live()->overlay.nodes_in_camera.rows() != now[part::model]->model.mesh.vertex_count())
+    return give_up();
+  // From where the place is drawn by all that has arrived.
   const auto drawn = guidance::pixel_of(now[part::model]->model, live()->overlay.nodes_in_camera,
                                         *now[part::rig], held_->view, held_->place_in_ct);
   if (!drawn) return give_up();
