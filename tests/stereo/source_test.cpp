@@ -13,6 +13,7 @@
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/reconstruct.h"
 #include "rendered_pair.h"
+#include "stream_views.h"
 #include "streams.h"
 
 using namespace glisson;
@@ -47,6 +48,30 @@ double difference(const Picture& a, const Picture& b) {
     sum += std::abs(static_cast<int>((*a.bytes)[i]) - static_cast<int>((*b.bytes)[i]));
   return sum / static_cast<double>(a.bytes->size());
 }
+
+/// A camera of 128 x 48 whose third picture is of another width.
+class ChangingCamera : public PictureStream {
+ public:
+  explicit ChangingCamera(int third) : third_(third) {
+    name = "device:0";
+    width = 128;
+    height = 48;
+    rate = 30.0;
+    live = true;
+  }
+  bool grab() override {
+    seconds = ++taken_ / rate;
+    return true;
+  }
+  bool retrieve(cv::Mat& image) override {
+    image = cv::Mat(height, taken_ == 3 ? third_ : width, CV_8UC3, cv::Scalar::all(120));
+    return true;
+  }
+  void rewind() override {}
+
+ private:
+  int third_, taken_ = 0;
+};
 
 }  // namespace
 
@@ -300,6 +325,32 @@ class SourceTest : public QObject {
     for (StereoFrame frame; video.read(frame); ++frames)
       QVERIFY(difference(frame.left, view_of(0, frames)) < 1.0);
     QCOMPARE(frames, 3);
+  }
+
+  void APictureOfAnotherSizeIsRefusedWhileItIsLive_data() {
+    QTest::addColumn<int>("width");
+    QTest::addColumn<bool>("two");
+    QTest::newRow("smaller, both views in one picture") << 64 << false;
+    QTest::newRow("larger, both views in one picture") << 256 << false;
+    QTest::newRow("smaller, a camera each") << 64 << true;
+    QTest::newRow("larger, a camera each") << 256 << true;
+  }
+  void APictureOfAnotherSizeIsRefusedWhileItIsLive() {
+    QFETCH(int, width);
+    QFETCH(bool, two);
+    const std::unique_ptr<Views> views =
+        two ? views_of(std::make_unique<ChangingCamera>(128), std::make_unique<ChangingCamera>(width), 1.0)
+            : views_of(std::make_unique<ChangingCamera>(width), Layout::side_by_side);
+    cv::Mat left, right;
+    for (int i = 0; i < 2; ++i) QVERIFY(views->read(left, right));
+    QCOMPARE(right.cols, two ? 128 : 64);
+    try {
+      views->read(left, right);
+      QFAIL("it was taken");
+    } catch (const InputError& error) {
+      const std::string sizes = "is " + std::to_string(width) + "x48, the pictures before 128x48";
+      QVERIFY2(std::string(error.what()).find(sizes) != std::string::npos, error.what());
+    }
   }
 
   void AbsentDevicesAndOddSizesAreRefused() {

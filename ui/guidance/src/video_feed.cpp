@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/video_feed.h"
 
+#include <exception>
+#include <string>
+
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
@@ -99,6 +102,9 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
     if (!stop.stop_requested()) emit ended();
   } catch (const Error& error) {
     emit failed(error_text(error.what()));
+  } catch (const std::exception& error) {  // of a library: it would end the program
+    emit failed(error_text(std::string("video: stopped unexpectedly (") + error.what() +
+                           "). The case is as it was."));
   }
 }
 
