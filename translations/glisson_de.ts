@@ -12411,6 +12411,10 @@ Mode %3 bei %4 Abweichungen
         <translation>Spitze zur Organoberfläche: %1</translation>
     </message>
     <message>
+        <source>Tip inside the organ, %1 below its surface</source>
+        <translation>Spitze im Organ, %1 unter seiner Oberfläche</translation>
+    </message>
+    <message>
         <source>Tip to %1: %2</source>
         <translation>Spitze zu %1: %2</translation>
     </message>

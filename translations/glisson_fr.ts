@@ -12411,6 +12411,10 @@ Mode %3 à %4 écarts types
         <translation>De la pointe à la surface de l&apos;organe : %1</translation>
     </message>
     <message>
+        <source>Tip inside the organ, %1 below its surface</source>
+        <translation>Pointe dans l&apos;organe, %1 sous sa surface</translation>
+    </message>
+    <message>
         <source>Tip to %1: %2</source>
         <translation>De la pointe à %1 : %2</translation>
     </message>

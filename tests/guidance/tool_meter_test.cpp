@@ -27,6 +27,7 @@ class ToolMeterTest : public QObject {
  private slots:
   void DistancesAreTheShortest();
   void TheOrganGoesAndTheTipStays();
+  void InsideIsToldFromOutside();
   void OnlyNearTheSurfaceItTouches();
   void WhatIsNotThereCannotBeSaid();
   void NodesOfAnotherModelAreRefused();
@@ -58,6 +59,21 @@ void ToolMeterTest::TheOrganGoesAndTheTipStays() {
   QVERIFY(std::abs(measures.to_lesion - (0.03 + kHalfZ - kRadius)) < 5e-5);
 }
 
+void ToolMeterTest::InsideIsToldFromOutside() {
+  for (const double before : {kBefore, kBefore + 0.03}) {  // where the organ is now
+    meter_.move(nodes(before));
+    for (const double depth : {-0.02, -0.008, -1e-4, 1e-4, 0.008, 0.02}) {
+      const double near = before - kHalfZ + depth, far = before + kHalfZ - depth;
+      for (const Eigen::Vector3d& tip : {Eigen::Vector3d(0.0, 0.0, near), Eigen::Vector3d(0.01, 0.005, near),
+                                         Eigen::Vector3d(-0.02, 0.0, near), Eigen::Vector3d(0.0, 0.0, far)}) {
+        const ToolMeasures measures = meter_.measure(tip, 0);
+        QCOMPARE(measures.is_inside, depth > 0.0);
+        QVERIFY(std::abs(measures.to_surface - std::abs(depth)) < 1e-9);
+      }
+    }
+  }
+}
+
 void ToolMeterTest::OnlyNearTheSurfaceItTouches() {
   meter_.move(nodes());
   const double surface = kBefore - kHalfZ;
@@ -80,6 +96,7 @@ void ToolMeterTest::WhatIsNotThereCannotBeSaid() {
   QVERIFY(std::isnan(meter_.measure({0.0, 0.0, 0.1}, kLesion + 1).to_lesion));
   const ToolMeasures nowhere = meter_.measure({0.0, 0.0, std::nan("")}, kLesion);
   QVERIFY(std::isnan(nowhere.to_surface) && std::isnan(nowhere.to_lesion) && !nowhere.touched);
+  QVERIFY(!nowhere.is_inside);
 }
 
 void ToolMeterTest::NodesOfAnotherModelAreRefused() {

@@ -25,6 +25,7 @@ class ToolBoxTest : public QObject {
   void ItIsOff();
   void DistancesAreTold();
   void TipThatTouchesMarksThePlace();
+  void ATipInsideTheOrganIsToldSo();
   void WithdrawnOrgansAreNotMeasured();
   void WhatGoesWrongIsSaid();
 
@@ -117,6 +118,15 @@ void ToolBoxTest::TipThatTouchesMarksThePlace() {
   on()->click();
   QVERIFY(!on()->isChecked());
   QTRY_VERIFY(!is_place_told());
+}
+
+void ToolBoxTest::ATipInsideTheOrganIsToldSo() {
+  track();
+  serve("z113");
+  const QRegularExpression inside("Tip inside the organ, ([0-9.]+) mm below its surface");
+  QTRY_VERIFY2(said().contains(inside), qPrintable(said()));
+  QVERIFY2(std::abs(inside.match(said()).captured(1).toDouble() - 3.0) < 1.5, qPrintable(said()));
+  QCOMPARE(told("surface"), -1.0);
 }
 
 void ToolBoxTest::WithdrawnOrgansAreNotMeasured() {

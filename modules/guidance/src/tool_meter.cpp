@@ -9,6 +9,27 @@
 namespace glisson::guidance {
 namespace {
 
+/// Whether a ray from there crosses a closed surface an odd number of times.
+bool leaves_once_more(const ClosestPointTree& tree, const Eigen::Vector3d& from,
+                      const Eigen::Vector3d& direction) {
+  constexpr double kBeyond = 1e-7;  // metres behind a crossing the next one is looked for
+  bool odd = false;
+  for (double along = 0.0;; odd = !odd) {
+    const ClosestPoint hit = tree.first_hit(from, direction, along);
+    if (hit.triangle < 0) return odd;
+    along = hit.distance + kBeyond;
+  }
+}
+
+/// By the most of three rays: one may run along an edge. @pre the surface is closed.
+bool is_inside(const ClosestPointTree& tree, const Eigen::Vector3d& p) {
+  int inside = 0;
+  for (const Eigen::Vector3d& way : {Eigen::Vector3d(0.36, 0.48, -0.80), Eigen::Vector3d(-0.61, 0.35, 0.71),
+                                     Eigen::Vector3d(0.29, -0.87, 0.40)})
+    inside += leaves_once_more(tree, p, way.normalized());
+  return inside >= 2;
+}
+
 struct Carried {
   Label structure;
   Binding binding;
@@ -46,6 +67,7 @@ ToolMeasures ToolMeter::measure(const Eigen::Vector3d& tip_in_camera, Label lesi
   if (!tip_in_camera.allFinite()) return measures;
   const ClosestPoint nearest = impl_->organ.tree.closest(tip_in_camera);
   measures.to_surface = nearest.distance;
+  measures.is_inside = is_inside(impl_->organ.tree, tip_in_camera);
   if (nearest.distance <= kTouching) measures.touched = SurfacePlace{nearest.triangle, nearest.barycentric};
   for (const Carried& one : impl_->lesions)
     if (one.structure == lesion) measures.to_lesion = one.tree.closest(tip_in_camera).distance;

@@ -113,7 +113,9 @@ void ToolModel::tell(const openigtlink::ReceivedTool& tool) {
   const guidance::ToolMeasures measures = now->measure(tool.camera_from_tool.translation, lesion);
   live_.touch(measures.touched);
   const auto length = [](double metres) { return tr("%1 mm").arg(1e3 * metres, 0, 'f', 1); };
-  QString text = tr("Tip to the organ's surface: %1").arg(length(measures.to_surface));
+  QString text = (measures.is_inside ? tr("Tip inside the organ, %1 below its surface")
+                                     : tr("Tip to the organ's surface: %1"))
+                     .arg(length(measures.to_surface));
   const auto known = engine_.state()[part::live]->overlay.lesions;
   const bool is_shown = std::any_of(known.begin(), known.end(), [&](const LesionVerdict& verdict) {
     return verdict.lesion == lesion && verdict.level != Level::withdrawn;

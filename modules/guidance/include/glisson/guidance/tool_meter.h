@@ -17,15 +17,16 @@ inline constexpr double kTouching = 5e-3;
 /// Metres. Not a number: cannot be said.
 struct ToolMeasures {
   double to_surface = std::numeric_limits<double>::quiet_NaN();  ///< of the organ, the shortest way
-  double to_lesion = std::numeric_limits<double>::quiet_NaN();   ///< its surface, the shortest way
-  std::optional<SurfacePlace> touched;                           ///< empty: the tip does not touch
+  bool is_inside = false;  ///< of the organ: `to_surface` is the depth below its surface
+  double to_lesion = std::numeric_limits<double>::quiet_NaN();  ///< its surface, the shortest way
+  std::optional<SurfacePlace> touched;                          ///< empty: the tip does not touch
 };
 
 /// Measures from the tip of a tracked tool, wherever it is, to the model as it is deformed now. As good as
 /// the tool's tracking, its calibration to the camera, and the model's place. Not thread-safe.
 class ToolMeter {
  public:
-  /// @param organ its whole surface. @pre the organ has triangles.
+  /// @param organ its whole surface, closed. @pre the organ has triangles.
   ToolMeter(const PatientModel& model, CarriedSurface organ, std::vector<CarriedSurface> lesions);
   ~ToolMeter();
 
