@@ -12403,6 +12403,18 @@ Mode %3 bei %4 Abweichungen
         <translation>Die Lage des Werkzeugs kommt an; das Organ wird gerade nicht verfolgt.</translation>
     </message>
     <message>
+        <source>The tool&apos;s pose comes in; a former moment is on the screen, and nothing is told of it.</source>
+        <translation>Die Lage des Werkzeugs kommt an; auf dem Bildschirm steht ein früherer Augenblick, zu dem nichts gesagt wird.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose comes in; the video is paused.</source>
+        <translation>Die Lage des Werkzeugs kommt an; das Video ist angehalten.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose comes in; the last picture is %1 s old: it is not used.</source>
+        <translation>Die Lage des Werkzeugs kommt an; das letzte Bild ist %1 s alt: es wird nicht verwendet.</translation>
+    </message>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>

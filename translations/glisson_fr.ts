@@ -12403,6 +12403,18 @@ Mode %3 à %4 écarts types
         <translation>La pose de l&apos;outil arrive ; l&apos;organe n&apos;est pas suivi en ce moment.</translation>
     </message>
     <message>
+        <source>The tool&apos;s pose comes in; a former moment is on the screen, and nothing is told of it.</source>
+        <translation>La pose de l&apos;outil arrive ; un moment antérieur est à l&apos;écran, et rien n&apos;en est dit.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose comes in; the video is paused.</source>
+        <translation>La pose de l&apos;outil arrive ; la vidéo est en pause.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose comes in; the last picture is %1 s old: it is not used.</source>
+        <translation>La pose de l&apos;outil arrive ; la dernière image date de %1 s : elle n&apos;est pas utilisée.</translation>
+    </message>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>

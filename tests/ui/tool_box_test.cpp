@@ -9,7 +9,9 @@
 #include "../openigtlink/peer_process.h"
 #include "fake_operation.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/parts/live.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/tool_box.h"
 #include "live_part.h"
@@ -26,6 +28,8 @@ class ToolBoxTest : public QObject {
   void DistancesAreTold();
   void TipThatTouchesMarksThePlace();
   void ATipInsideTheOrganIsToldSo();
+  void NothingIsMeasuredToAPausedOrFormerPicture();
+  void NothingIsMeasuredToAPictureThatHasStoppedComing();
   void WithdrawnOrgansAreNotMeasured();
   void WhatGoesWrongIsSaid();
 
@@ -82,7 +86,8 @@ void ToolBoxTest::init() {
   make_box_operation(*operation_);
   engine_ = std::make_unique<ui::EngineBridge>(operation_->options());
   live_ = std::make_unique<LivePart>(*engine_);
-  model_ = std::make_unique<ui::ToolModel>(*engine_, live_->drawables, live_->live);
+  model_ = std::make_unique<ui::ToolModel>(*engine_, live_->drawables, live_->playback, live_->review,
+                                           live_->live);
   box_ = std::make_unique<ui::ToolBox>(*model_);
 }
 
@@ -127,6 +132,38 @@ void ToolBoxTest::ATipInsideTheOrganIsToldSo() {
   QTRY_VERIFY2(said().contains(inside), qPrintable(said()));
   QVERIFY2(std::abs(inside.match(said()).captured(1).toDouble() - 3.0) < 1.5, qPrintable(said()));
   QCOMPARE(told("surface"), -1.0);
+}
+
+void ToolBoxTest::NothingIsMeasuredToAPausedOrFormerPicture() {
+  track();
+  serve("z107");
+  QTRY_VERIFY2(told("surface") > 0.0 && is_place_told(), qPrintable(said()));
+  live_->playback.pause(true);
+  QTRY_VERIFY2(said().contains("the video is paused"), qPrintable(said()));
+  QVERIFY(told("surface") < 0.0);
+  QCOMPARE(model_->tone.value(), QString("warning"));
+  live_->playback.pause(false);
+  QTRY_VERIFY2(told("surface") > 0.0, qPrintable(said()));
+  QTRY_VERIFY(live_->review.is_offered);
+  live_->review.seek(live_->review.first);
+  QTRY_VERIFY2(said().contains("a former moment"), qPrintable(said()));
+  live_->review.go_live();
+  QTRY_VERIFY2(told("surface") > 0.0, qPrintable(said()));
+}
+
+void ToolBoxTest::NothingIsMeasuredToAPictureThatHasStoppedComing() {
+  track();
+  serve("z100");
+  QTRY_VERIFY2(told("surface") > 0.0, qPrintable(said()));
+  live_->playback.set_speed(1e-3);  // the source stalls
+  QTRY_VERIFY2(said().contains(QRegularExpression("the last picture is [0-9.]+ s old")), qPrintable(said()));
+  QVERIFY(engine_->snapshot()->tracking && told("surface") < 0.0);
+  // What a hand says changes the live part, and makes its picture no younger.
+  engine_->post(engine::CorrectTracking{});
+  QTRY_VERIFY(engine_->tasks().empty());
+  QTRY_COMPARE(engine_->state()[part::live]->corrections.size(), std::size_t{1});
+  QTest::qWait(250);
+  QVERIFY2(said().contains("s old"), qPrintable(said()));
 }
 
 void ToolBoxTest::WithdrawnOrgansAreNotMeasured() {

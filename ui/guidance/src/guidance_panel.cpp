@@ -33,7 +33,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       recording_(worker_, playback_, correction_, again_),
       live_(engine, drawables, playback_, review_, worker_),
       openigtlink_(engine, drawables),
-      tool_(engine, drawables, live_),
+      tool_(engine, drawables, playback_, review_, live_),
       view_(new GuidanceView(new LiveView(live_, review_, correction_, again_),
                              new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));

@@ -13,8 +13,9 @@
 namespace glisson::ui {
 namespace {
 
-constexpr int kLook = 100;          ///< milliseconds from one look at the tool to the next
-constexpr double kFreshPose = 0.5;  ///< seconds; an older one says nothing of where the tool is now
+constexpr int kLook = 100;  ///< milliseconds from one look at the tool to the next
+/// Seconds; an older pose says nothing of where the tool is now, nor an older frame of where the organ is.
+constexpr double kFreshPose = 0.5;
 
 std::unique_ptr<guidance::ToolMeter> meter_of(const scene::DrawableModel& drawable) {
   guidance::CarriedSurface organ;
@@ -33,9 +34,16 @@ std::unique_ptr<guidance::ToolMeter> meter_of(const scene::DrawableModel& drawab
 
 }  // namespace
 
-ToolModel::ToolModel(EngineBridge& engine, DrawableSource& drawables, LiveViewModel& live, QObject* parent)
-    : QObject(parent), engine_(engine), drawables_(drawables), live_(live) {
+ToolModel::ToolModel(EngineBridge& engine, DrawableSource& drawables, PlaybackModel& playback,
+                     ReviewModel& review, LiveViewModel& live, QObject* parent)
+    : QObject(parent),
+      engine_(engine),
+      drawables_(drawables),
+      playback_(playback),
+      review_(review),
+      live_(live) {
   connect(&looks_, &QTimer::timeout, this, &ToolModel::look);
+  connect(&engine_, &EngineBridge::live_changed, this, &ToolModel::read_live);
 }
 
 ToolModel::~ToolModel() = default;
@@ -86,11 +94,35 @@ void ToolModel::look() {
       QStringLiteral("warning"));
 }
 
+QString ToolModel::not_followed() {
+  return tr("The tool's pose comes in; the organ is not followed just now.");
+}
+
+/// Corrections change the live part, too, and make its frame no younger.
+void ToolModel::read_live() {
+  const auto& live = engine_.state()[part::live];
+  if (!live) return frame_.reset();
+  const std::pair frame(live->overlay.index, live->overlay.seconds);
+  if (frame_ == frame) return;
+  frame_ = frame;
+  since_frame_.start();
+}
+
+QString ToolModel::why_not_now() const {
+  if (review_.is_reviewing)
+    return tr("The tool's pose comes in; a former moment is on the screen, and nothing is told of it.");
+  if (playback_.is_paused) return tr("The tool's pose comes in; the video is paused.");
+  const double age = since_frame_.isValid() ? 1e-3 * static_cast<double>(since_frame_.elapsed()) : 0.0;
+  if (!frame_ || !engine_.snapshot()->tracking) return not_followed();
+  if (age <= kFreshPose) return {};
+  return tr("The tool's pose comes in; the last picture is %1 s old: it is not used.").arg(age, 0, 'f', 1);
+}
+
 guidance::ToolMeter* ToolModel::meter() {
   const engine::Snapshot& now = *engine_.snapshot();
   const auto& live = now.state[part::live];
   const auto& drawable = drawables_.drawable();
-  if (!now.tracking || !live || !drawable || now.stage(part::live) == engine::StageState::stale ||
+  if (!live || !drawable || now.stage(part::live) == engine::StageState::stale ||
       live->overlay.level() == Level::withdrawn ||
       live->overlay.nodes_in_camera.rows() != drawable->model->mesh.vertex_count())
     return nullptr;
@@ -103,11 +135,12 @@ guidance::ToolMeter* ToolModel::meter() {
 }
 
 void ToolModel::tell(const openigtlink::ReceivedTool& tool) {
-  const guidance::ToolMeter* now = meter();
+  QString why = why_not_now();
+  const guidance::ToolMeter* now = why.isEmpty() ? meter() : nullptr;
   if (now == nullptr) {
     live_.touch({});
-    return say(tr("The tool's pose comes in; the organ is not followed just now."),
-               QStringLiteral("warning"));
+    if (why.isEmpty()) why = not_followed();
+    return say(why, QStringLiteral("warning"));
   }
   const Label lesion = live_.chosen;
   const guidance::ToolMeasures measures = now->measure(tool.camera_from_tool.translation, lesion);
