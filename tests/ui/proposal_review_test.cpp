@@ -35,6 +35,7 @@ class ProposalReviewTest : public QObject {
   void OneButtonProposesAll();
   void TheKeyboardReviewsThem();
   void UndoTakesStepsBackInTurn();
+  void APointByHandTakesThePlaceOfAnUncertainOne();
   void AClickMovesIt();
   void AfterTheModesTheArrowsChooseAgain();
   void AnotherPanelPutsItAway();
@@ -69,6 +70,23 @@ class ProposalReviewTest : public QObject {
     QApplication::setActiveWindow(window_.get());
     QTest::keyClick(window_->focusWidget() != nullptr ? window_->focusWidget() : window_.get(), key);
     QVERIFY(settle());
+  }
+
+  /// Accepts the notch that is proposed from other livers. @return it
+  Points accept_notch() {
+    choose(Structure::umbilical_notch);
+    press(Qt::Key_A);
+    return engine::effective_landmarks(state()).umbilical_notch;
+  }
+  /// Clicks the notch in the middle of the 3D view. @return the place
+  Eigen::Vector3d place_notch() {
+    ui::RenderView& view = window_->views().volume();
+    const Eigen::Vector3d there = *window_->views().surface_point(0.5, 0.5);
+    find<QPushButton>("place_notch")->click();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(view.width() / 2, view.height() / 2));
+    settle();
+    press(Qt::Key_Escape);
+    return there;
   }
 
   TemporaryFolder folder_;
@@ -150,6 +168,30 @@ void ProposalReviewTest::UndoTakesStepsBackInTurn() {
   QVERIFY(proposal(Structure::umbilical_notch).decision == Decision::proposed);
   QVERIFY(!state()[part::landmarks]);
   QVERIFY(!find<QPushButton>("undo_review")->isEnabled());
+}
+
+/// Both together would be registered to the place half-way between a guess and a mark, as an exact one.
+void ProposalReviewTest::APointByHandTakesThePlaceOfAnUncertainOne() {
+  const Points guess = accept_notch();
+  QCOMPARE(guess.rows(), 1);
+  QVERIFY(engine::effective_landmarks(state()).notch_deviation > 0.0);
+  const Eigen::Vector3d there = place_notch();
+  const Landmarks placed = engine::effective_landmarks(state());
+  QCOMPARE(placed.umbilical_notch.rows(), 1);
+  QVERIFY((placed.umbilical_notch.row(0).transpose() - there).norm() < 0.003);
+  QVERIFY((placed.umbilical_notch - guess).norm() > 0.005);
+  QCOMPARE(placed.notch_deviation, 0.0);
+  find<QPushButton>("undo_landmark")->click();
+  QVERIFY(settle());
+  QCOMPARE(engine::effective_landmarks(state()).umbilical_notch.rows(), 0);
+  // A guess that is taken back leaves no doubt behind either.
+  accept_notch();
+  find<QPushButton>("undo_landmark")->click();
+  QVERIFY(settle());
+  QCOMPARE(engine::effective_landmarks(state()).umbilical_notch.rows(), 0);
+  QCOMPARE(state()[part::landmarks]->notch_deviation, 0.0);
+  press(Qt::Key_U);
+  press(Qt::Key_U);
 }
 
 void ProposalReviewTest::AClickMovesIt() {

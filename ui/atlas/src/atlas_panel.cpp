@@ -109,6 +109,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   place->setCheckable(true);
   place->setProperty("role", "choice");
   auto* undo = new QPushButton(tr("Undo last"), this);
+  undo->setObjectName(QStringLiteral("undo_landmark"));
   auto* clear = new QPushButton(tr("Clear"), this);
   clear->setObjectName(QStringLiteral("clear_landmarks"));
   row->addWidget(place, 1);
@@ -120,10 +121,11 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
     for (QPushButton* button : {undo, clear}) button->setEnabled(has_points());
   });
   connect(place, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
-  connect(undo, &QPushButton::clicked, this, [this, points] {
+  connect(undo, &QPushButton::clicked, this, [this, points, tool] {
     Points& list = landmarks_.*points;
     if (list.rows() == 0) return;
     list.conservativeResize(list.rows() - 1, 3);
+    if (tool == Tool::notch && list.rows() == 0) landmarks_.notch_deviation = 0.0;
     store();
   });
   connect(clear, &QPushButton::clicked, this, [this, points, tool] {
@@ -167,7 +169,9 @@ void AtlasPanel::place(double x, double y) {
   const auto p = views_.surface_point(x, y);
   if (!p) return;
   Points& list = tool_ == Tool::notch ? landmarks_.umbilical_notch : landmarks_.vena_cava;
-  if (begin_anew_.erase(tool_) > 0) list.resize(0, 3);
+  // A guess of the atlas beside a person's point would be taken for as exact as that.
+  const bool is_guess = tool_ == Tool::notch && landmarks_.notch_deviation > 0.0;
+  if (begin_anew_.erase(tool_) > 0 || is_guess) list.resize(0, 3);
   if (tool_ == Tool::notch) landmarks_.notch_deviation = 0.0;  // from now on it is the person's
   list.conservativeResize(list.rows() + 1, 3);
   list.row(list.rows() - 1) = p->transpose();
