@@ -6373,6 +6373,10 @@
         <translation>Die Segmentierung nennt ein anderes DICOM-Bezugssystem als das CT, wie die einer anderen Aufnahme: Prüfen Sie in den Schichten, ob sie auf dieser Leber liegt.</translation>
     </message>
     <message>
+        <source>Segments that the file does not say to be anything of the liver were left out: %*.</source>
+        <translation>Segmente, von denen die Datei nicht sagt, dass sie zur Leber gehören, wurden weggelassen: %*.</translation>
+    </message>
+    <message>
         <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, keep this look and add another one, or place it by hand.</source>
         <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte. Markieren Sie die Kerbe, zeigen Sie mehr vom Organ, merken Sie diesen Blick und fügen Sie einen weiteren hinzu, oder platzieren Sie es von Hand.</translation>
     </message>

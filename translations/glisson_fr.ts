@@ -6373,6 +6373,10 @@
         <translation>La segmentation nomme un autre repère de référence DICOM que le scanner, comme celle d’un autre examen : vérifiez dans les coupes qu’elle recouvre bien ce foie.</translation>
     </message>
     <message>
+        <source>Segments that the file does not say to be anything of the liver were left out: %*.</source>
+        <translation>Des segments dont le fichier ne dit pas qu’ils relèvent du foie ont été laissés de côté : %*.</translation>
+    </message>
+    <message>
         <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, keep this look and add another one, or place it by hand.</source>
         <translation>Avec une probabilité de %1 % (limite %2 %), l’organe se trouve à plus de 2 cm d’ici : d’autres positions expliquent aussi les points. Marquez l’échancrure, montrez davantage de l’organe, gardez cette vue et ajoutez-en une autre, ou placez-le à la main.</translation>
     </message>

@@ -31,6 +31,10 @@ class DicomLabelsTest : public QObject {
   void init();
   void LabelsComeInAgainUnchanged();
   void SegmentsOfOthersAreTakenByTheirMeaning();
+  void NamedSegmentsOfOthersAreTakenByTheirMeaning();
+  void NamedSegmentsThatMeanNothingAreRefused();
+  void NumbersWithoutForeignNamesAreTaken();
+  void NamedSegmentsThatLieMirroredAreRefused();
   void AnotherGridIsRefused();
   void AnotherFrameOfReferenceIsTold();
   void WhatMeansNothingOfTheLiverIsRefused();
@@ -102,11 +106,85 @@ void DicomLabelsTest::SegmentsOfOthersAreTakenByTheirMeaning() {
   write_foreign(theirs, {{1, "Tumor", structure_terminology(structure::kFirstLesion)},
                          {2, "Spleen", "c~SCT^123037004^Anatomical Structure~SCT^78961009^Spleen~^^~c~^^~^^"},
                          {3, "Leber", structure_terminology(structure::kParenchyma)}});
-  script_->run(ImportLabels{at("foreign.dcm"), {}});
+  const auto outcome = script_->run(ImportLabels{at("foreign.dcm"), {}});
+  QCOMPARE(outcome->notes.back(), std::string("labels.segments_left_out Spleen"));
   const LabelVolume& taken = script_->state()[part::labels]->voxels;
   QCOMPARE(taken.at({1, 1, 1}), structure::kFirstLesion);
   QCOMPARE(taken.at({2, 2, 2}), structure::kBackground);
   QCOMPARE(taken.at({3, 3, 2}), structure::kParenchyma);
+}
+
+/// As 3D Slicer numbers them: in the order in which they were drawn. By number the tumour would be the portal
+/// vein.
+void DicomLabelsTest::NamedSegmentsOfOthersAreTakenByTheirMeaning() {
+  LabelVolume theirs(labels_.grid());
+  theirs.set({1, 1, 1}, 1);
+  theirs.set({2, 2, 2}, 2);
+  theirs.set({3, 3, 2}, 3);
+  theirs.set({4, 3, 2}, 4);
+  LabelInfo portal{3, "Pfortader", structure_terminology(structure::kPortalVein)};
+  portal.status = "completed";
+  write_labels(at("theirs.seg.nrrd"), theirs,
+               {{1, "Leber", structure_terminology(structure::kParenchyma)},
+                {2, "Tumor", structure_terminology(structure::kFirstLesion)},
+                portal,
+                {4, "Milz links", "c~SCT^123037004^Anatomical Structure~SCT^78961009^Spleen~^^~c~^^~^^"}});
+  const auto outcome = script_->run(ImportLabels{at("theirs.seg.nrrd"), {}});
+  const LabelVolume& taken = script_->state()[part::labels]->voxels;
+  QCOMPARE(taken.at({1, 1, 1}), structure::kParenchyma);
+  QCOMPARE(taken.at({2, 2, 2}), structure::kFirstLesion);
+  QCOMPARE(taken.at({3, 3, 2}), structure::kPortalVein);
+  QCOMPARE(taken.at({4, 3, 2}), structure::kBackground);
+  QCOMPARE(outcome->notes, (std::vector<std::string>{"labels.segments_left_out Milz links"}));
+  QCOMPARE(script_->state()[part::review]->at(structure::kPortalVein), ReviewState::approved);
+  // Numbers that a person gives come first.
+  QVERIFY(script_->run(ImportLabels{at("theirs.seg.nrrd"), {{2, structure::kParenchyma}}})->notes.empty());
+  QCOMPARE(script_->state()[part::labels]->voxels.at({2, 2, 2}), structure::kParenchyma);
+  QCOMPARE(script_->state()[part::labels]->voxels.at({1, 1, 1}), structure::kBackground);
+}
+
+void DicomLabelsTest::NamedSegmentsThatMeanNothingAreRefused() {
+  write_labels(at("theirs.seg.nrrd"), labels_, {{1, "Segment_1", structure_terminology(7)}});
+  try {
+    script_->run(ImportLabels{at("theirs.seg.nrrd"), {}});
+    QFAIL("is taken");
+  } catch (const Error& error) {
+    QVERIFY2(std::string(error.what()).find("--codes") != std::string::npos, error.what());
+  }
+  QVERIFY(!script_->state()[part::labels]);
+  script_->run(ImportLabels{at("theirs.seg.nrrd"), {{1, structure::kParenchyma}}});
+  QCOMPARE(script_->state()[part::labels]->voxels.at({0, 2, 1}), structure::kParenchyma);
+}
+
+void DicomLabelsTest::NumbersWithoutForeignNamesAreTaken() {
+  const std::vector<LabelInfo> own = {structure_info(structure::kParenchyma),
+                                      structure_info(structure::kPortalVein), structure_info(kThird)};
+  for (const std::vector<LabelInfo>& infos : {own, std::vector<LabelInfo>()}) {
+    write_labels(at("a.seg.nrrd"), labels_, infos);
+    QVERIFY(script_->run(ImportLabels{at("a.seg.nrrd"), {}})->notes.empty());
+    QVERIFY(script_->state()[part::labels]->voxels == labels_);
+  }
+  write_labels(at("a.nii"), labels_, {});
+  script_->run(ImportLabels{at("a.nii"), {}});
+  QVERIFY(script_->state()[part::labels]->voxels == labels_);
+}
+
+void DicomLabelsTest::NamedSegmentsThatLieMirroredAreRefused() {
+  LabelVolume theirs(labels_.grid());
+  theirs.set({1, 1, 1}, 1);
+  theirs.set({5, 1, 1}, 2);
+  const bool cava_is_left =
+      theirs.grid().p_in_ct({5.0, 1.0, 1.0}).xyz.x() > theirs.grid().p_in_ct({1.0, 1.0, 1.0}).xyz.x();
+  const Label liver = cava_is_left ? 2 : 1;
+  write_labels(at("theirs.seg.nrrd"), theirs,
+               {{liver, "Leber", structure_terminology(structure::kParenchyma)},
+                {static_cast<Label>(3 - liver), "Hohlvene", structure_terminology(structure::kVenaCava)}});
+  try {
+    script_->run(ImportLabels{at("theirs.seg.nrrd"), {}});
+    QFAIL("is taken");
+  } catch (const Error& error) {
+    QVERIFY2(std::string(error.what()).find("mirrored") != std::string::npos, error.what());
+  }
 }
 
 void DicomLabelsTest::AnotherGridIsRefused() {

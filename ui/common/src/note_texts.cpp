@@ -209,6 +209,8 @@ class Notes {
         {"labels.other_frame", tr("The segmentation names another DICOM frame of reference than the CT, as "
                                   "one of another scan does: "
                                   "check in the slices that it lies on this liver.")},
+        {"labels.segments_left_out",
+         tr("Segments that the file does not say to be anything of the liver were left out: %*.")},
         {"volume.files_missing", tr("The DICOMDIR names files that are not there: slices may be missing. "
                                     "Copy the whole medium. (%*)")},
         {"case.cloud_lost",

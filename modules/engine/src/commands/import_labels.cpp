@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/import_labels.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/source.h"
@@ -25,8 +29,45 @@ Review review_in(const LabelFile& file, const LabelCodes& codes) {
   return review;
 }
 
-/// A DICOM segmentation on the image's grid: empty slices need not be in it. Segments of others say by code
-/// or name what they are, not by their number. @param codes taken as they are where there are any.
+/// Segments of others say by code or name what they are, not by their number.
+/// @param field what says so in the file. @param[out] notes name the segments that are left out: whoever
+/// drew a tumour as plain tissue learns that it is missing.
+/// @throws InputError none of them is anything of the liver.
+LabelCodes meanings_of(const std::filesystem::path& path, const std::string& field,
+                       const std::vector<LabelInfo>& segments, std::vector<std::string>& notes) {
+  LabelCodes codes = codes_meant(segments);
+  if (codes.empty())
+    throw InputError(path.string(), field, "names nothing of the liver in any segment",
+                     "Say which segment means what with --codes FILE (see 'glisson model --help')");
+  std::string left_out;
+  for (const LabelInfo& segment : segments)
+    if (!codes.contains(segment.code))
+      left_out += (left_out.empty() ? "" : ", ") +
+                  (segment.name.empty() ? std::to_string(segment.code) : segment.name);
+  if (!left_out.empty()) notes.push_back("labels.segments_left_out " + left_out);
+  return codes;
+}
+
+/// Whether a file names its segments otherwise than Glisson names those of the same numbers. "label_7" is
+/// what Glisson writes where there is no name.
+bool are_named_by_others(const std::vector<LabelInfo>& segments) {
+  return std::ranges::any_of(segments, [](const LabelInfo& segment) {
+    return !segment.name.empty() && segment.name != structure_name(segment.code) &&
+           segment.name != "label_" + std::to_string(segment.code);
+  });
+}
+
+/// A volume of labels. Numbers without names of somebody else's are Glisson's. @param codes and notes as
+/// below.
+LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std::vector<std::string>& notes) {
+  LabelFile file = read_labels(path);
+  if (codes.empty() && are_named_by_others(file.infos))
+    codes = meanings_of(path, "Segment names", file.infos, notes);
+  return file;
+}
+
+/// A DICOM segmentation on the image's grid: empty slices need not be in it.
+/// @param codes taken as they are where there are any.
 /// @param[out] notes tell that the file is of another frame of reference: its voxels may be the CT's by
 /// chance, as another scan's of the same table and field of view are. Anonymisers, too, give new frames, so
 /// that the person decides.
@@ -47,11 +88,7 @@ LabelFile read_dicom(const std::filesystem::path& path, const CaseState& state, 
     labels.file.voxels = std::move(*placed);
   }
   if (labels.own || !codes.empty()) return labels.file;
-  codes = codes_meant(labels.file.infos);
-  if (codes.empty())
-    throw InputError(path.string(), "SegmentedPropertyTypeCodeSequence (0062|000f)",
-                     "names nothing of the liver in any segment",
-                     "Say which segment means what with --codes FILE (see 'glisson model --help')");
+  codes = meanings_of(path, "SegmentedPropertyTypeCodeSequence (0062|000f)", labels.file.infos, notes);
   return labels.file;
 }
 
@@ -68,7 +105,8 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   context.progress(0.0, "labels.read");
   LabelCodes meanings = codes;
   std::vector<std::string> notes;
-  const LabelFile file = has_dicom_mark(path) ? read_dicom(path, state, meanings, notes) : read_labels(path);
+  const LabelFile file =
+      has_dicom_mark(path) ? read_dicom(path, state, meanings, notes) : read_volume(path, meanings, notes);
   if (state[part::image]) require_same_grid(file.voxels.grid(), state[part::image]->grid, path.string());
   if (context.cancelled()) return {};
   LabelMap labels =
