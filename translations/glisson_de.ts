@@ -11574,6 +11574,10 @@
         <translation>%1: %2</translation>
     </message>
     <message>
+        <source>A new segmentation waits: decide about it first, imported labels would take its place.</source>
+        <translation>Eine neue Segmentierung wartet: Entscheiden Sie zuerst über sie, importierte Labels träten an ihre Stelle.</translation>
+    </message>
+    <message>
         <source>Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI</source>
         <translation>Anderswo gemachte Labels: DICOM-Segmentierung, .seg.nrrd, NIfTI</translation>
     </message>

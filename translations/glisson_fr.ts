@@ -11574,6 +11574,10 @@
         <translation>%1 : %2</translation>
     </message>
     <message>
+        <source>A new segmentation waits: decide about it first, imported labels would take its place.</source>
+        <translation>Une nouvelle segmentation attend : décidez d&apos;abord à son sujet, des étiquettes importées prendraient sa place.</translation>
+    </message>
+    <message>
         <source>Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI</source>
         <translation>Étiquettes faites ailleurs : segmentation DICOM, .seg.nrrd, NIfTI</translation>
     </message>

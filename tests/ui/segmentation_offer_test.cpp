@@ -33,6 +33,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void AnotherCaseIsNotOpenedWithoutSayingThatTheNewOneGoes();
   void DroppedLabelsAskFirst();
   void UndoWaitsForTheDecision();
+  void ToolsAndImportWaitForTheDecision();
   void SavingWhileItIsGrownKeepsTheCorrections();
 
  private:
@@ -175,6 +176,25 @@ void SegmentationOfferTest::UndoWaitsForTheDecision() {
   press("offer_keep_all");
   QVERIFY(settle());
   QVERIFY(panel->history_actions().front()->isEnabled());  // in the same mode: it was the offer alone
+}
+
+void SegmentationOfferTest::ToolsAndImportWaitForTheDecision() {
+  correct_and_grow();
+  const auto* import = find<QPushButton>("import_labels");
+  const LabelVolume mine = labels();
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  QVERIFY(session().tool() == nullptr);
+  QCOMPARE(window_->views().state().hand(), ui::Hand::crosshair);
+  drag(slice(Plane::axial), {{-0.02, 0.0, 0.0}, {0.02, 0.0, 0.0}});
+  QVERIFY(settle() && waits() && labels() == mine);
+  QVERIFY(!import->isEnabled());
+  QVERIFY2(import->toolTip().contains("waits"), qPrintable(import->toolTip()));
+  press("offer_keep_all");
+  QVERIFY(settle());
+  QVERIFY(import->isEnabled());
+  QVERIFY2(import->toolTip().contains("elsewhere"), qPrintable(import->toolTip()));
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  QVERIFY(session().tool() != nullptr);
 }
 
 void SegmentationOfferTest::SavingWhileItIsGrownKeepsTheCorrections() {

@@ -90,6 +90,8 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
 
 void EditSession::set_tool(EditTool tool) {
   if (tool == tool_) return;
+  // What it would change lets the offer go: first comes the decision. Its key is heard meanwhile.
+  if (tool != nullptr && engine_.state()[part::offer]) return;
   finish_stroke();
   drop_clicks();
   drop_preview();

@@ -40,6 +40,7 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   edit_ = new EditBox(*session_, *this, this);
   edit_->add_below_settings(new BridgeList(*session_, engine, views, edit_));
   content()->addWidget(edit_);
+  show_offer();
   show_editing(false);
   connect(offer_, &OfferBox::changed, this, &SegmentationPanel::show_offer);
   auto* escape = new QShortcut(Qt::Key_Escape, this);
@@ -109,6 +110,10 @@ void SegmentationPanel::show_offer() {
     seeds_->let_go();
   }
   for (QPushButton* mode : {seeds_mode_, edit_mode_}) mode->setEnabled(!waits);
+  import_->setEnabled(!waits);
+  import_->setToolTip(
+      waits ? tr("A new segmentation waits: decide about it first, imported labels would take its place.")
+            : tr("Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI"));
   show_editing(edit_mode_->isChecked());
 }
 
@@ -129,22 +134,22 @@ void SegmentationPanel::build_labels() {
   approve_->setObjectName(QStringLiteral("approve_label"));
   approve_->setProperty("role", "small");
   approve_->setToolTip(tr("You have looked at the chosen label and it is right. An edit takes that back."));
-  auto* import = new QPushButton(tr("Import…"), this);
-  import->setProperty("role", "small");
-  import->setToolTip(tr("Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI"));
+  import_ = new QPushButton(tr("Import…"), this);
+  import_->setObjectName(QStringLiteral("import_labels"));
+  import_->setProperty("role", "small");
   auto* opacity = new QSlider(Qt::Horizontal, this);
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100 * views_.style().label_opacity));
   opacity->setToolTip(tr("Opacity of the labels in the slices"));
   opacity->setAccessibleName(opacity->toolTip());
   row->addWidget(approve_);
-  row->addWidget(import);
+  row->addWidget(import_);
   row->addWidget(opacity, 1);
   column->addLayout(row);
   content()->addLayout(column);
   connect(opacity, &QSlider::valueChanged, this,
           [this](int value) { views_.set_label_opacity(value / 100.0); });
-  connect(import, &QPushButton::clicked, this, &SegmentationPanel::import_labels);
+  connect(import_, &QPushButton::clicked, this, &SegmentationPanel::import_labels);
   connect(approve_, &QPushButton::clicked, this, &SegmentationPanel::approve);
   connect(table_, &LabelTable::label_chosen, this, [this](Label label) {
     EditSettings next = session_->settings();

@@ -26,6 +26,7 @@ class EditSession : public QObject {
   EditSession(EngineBridge& engine, ViewState& views, QObject* parent = nullptr);
 
   EditTool tool() const { return tool_; }
+  /// Null: none. None is taken up while a new segmentation waits for a decision.
   void set_tool(EditTool tool);
   const EditSettings& settings() const { return settings_; }
   void set_settings(const EditSettings& settings);

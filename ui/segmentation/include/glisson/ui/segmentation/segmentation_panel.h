@@ -58,6 +58,7 @@ class SegmentationPanel : public Panel {
   LabelTable* table_ = nullptr;
   QLabel* figures_ = nullptr;
   QPushButton* approve_ = nullptr;
+  QPushButton* import_ = nullptr;
   std::set<Label> hidden_, locked_;
   std::shared_ptr<const segmentation::LabelStatistics> shown_statistics_;
   bool shown_hounsfield_ = true;
