@@ -211,6 +211,40 @@ class ProposalsTest : public QObject {
     QVERIFY(proposal_of(back->state, Structure::umbilical_notch)->decision == Decision::proposed);
   }
 
+  /// Only what the step itself has left is taken back: a person's mark is nobody's but theirs.
+  void undoLeavesALandmarkThatWasPlacedSince() {
+    const RestoreReview undo{*proposal_of(state_, Structure::umbilical_notch),
+                             placed_points(state_, Structure::umbilical_notch),
+                             placed_deviations(state_, Structure::umbilical_notch)};
+    CaseState now =
+        ReviewProposal{Structure::umbilical_notch, Decision::accepted}.apply(state_, RunContext())->state;
+    Landmarks by_hand = *now[part::landmarks];
+    by_hand.umbilical_notch = Points::Constant(1, 3, 0.02);
+    by_hand.notch_deviation = 0.0;
+    now[part::landmarks] = std::make_shared<const Landmarks>(by_hand);
+    const auto back = undo.apply(now, RunContext());
+    QVERIFY(back->state[part::landmarks]);
+    QVERIFY(apart(back->state[part::landmarks]->umbilical_notch, by_hand.umbilical_notch) == 0.0);
+    QCOMPARE(back->state[part::landmarks]->notch_deviation, 0.0);
+    QVERIFY(proposal_of(back->state, Structure::umbilical_notch)->decision == Decision::proposed);
+  }
+
+  /// "Accept landmarks" stores the model's own where nothing is placed: that is no mark of a person.
+  void undoSeesThroughTheModelsOwnLandmarks() {
+    CaseState now = state_;
+    auto built = std::make_shared<model::BuiltModel>(*now[part::model]);
+    built->model.landmarks.umbilical_notch = Points::Constant(1, 3, 0.01);
+    now[part::model] = built;
+    now = ReviewProposal{Structure::umbilical_notch, Decision::accepted}.apply(now, RunContext())->state;
+    const Points accepted = placed_points(now, Structure::umbilical_notch);
+    const RestoreReview undo{*proposal_of(now, Structure::umbilical_notch), accepted,
+                             placed_deviations(now, Structure::umbilical_notch)};
+    now = ReviewProposal{Structure::umbilical_notch, Decision::not_visible}.apply(now, RunContext())->state;
+    now[part::landmarks] = std::make_shared<const Landmarks>(effective_landmarks(now));
+    const auto back = undo.apply(now, RunContext());
+    QVERIFY(apart(back->state[part::landmarks]->umbilical_notch, accepted) == 0.0);
+  }
+
   /// Of landmarks that no proposal of now has put there, too.
   void undoBringsBackHowSureALandmarkWas() {
     Landmarks before;

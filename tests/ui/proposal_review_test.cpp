@@ -36,6 +36,7 @@ class ProposalReviewTest : public QObject {
   void TheKeyboardReviewsThem();
   void UndoTakesStepsBackInTurn();
   void APointByHandTakesThePlaceOfAnUncertainOne();
+  void UndoLeavesWhatAHandHasPlacedSince();
   void AClickMovesIt();
   void AfterTheModesTheArrowsChooseAgain();
   void AnotherPanelPutsItAway();
@@ -192,6 +193,19 @@ void ProposalReviewTest::APointByHandTakesThePlaceOfAnUncertainOne() {
   QCOMPARE(state()[part::landmarks]->notch_deviation, 0.0);
   press(Qt::Key_U);
   press(Qt::Key_U);
+}
+
+void ProposalReviewTest::UndoLeavesWhatAHandHasPlacedSince() {
+  accept_notch();
+  const Eigen::Vector3d there = place_notch();
+  press(Qt::Key_U);
+  QVERIFY(proposal(Structure::umbilical_notch).decision == Decision::proposed);
+  const Points kept = engine::effective_landmarks(state()).umbilical_notch;
+  QVERIFY(kept.rows() > 0);
+  QVERIFY((kept.bottomRows(1).transpose() - there).norm() < 0.003);
+  find<QPushButton>("clear_landmarks")->click();
+  QVERIFY(settle());
+  QCOMPARE(engine::effective_landmarks(state()).umbilical_notch.rows(), 0);
 }
 
 void ProposalReviewTest::AClickMovesIt() {

@@ -9,6 +9,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
+#include "proposal_landmark.h"
 
 namespace glisson::engine {
 namespace {
@@ -105,6 +106,18 @@ Applied with_review(const CaseState& state, const atlas::Proposal& proposal, con
     applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
   }
   return applied;
+}
+
+bool landmark_is_as_reviewed(const CaseState& state, atlas::Structure structure) {
+  constexpr double kSame = 1e-6;  // metres: files round
+  const atlas::Proposal* proposal = proposal_of(state, structure);
+  Landmarks of_model = state[part::model]->model.landmarks;
+  const Points* models = points_of(of_model, structure);
+  if (proposal == nullptr || models == nullptr) return true;
+  const auto effective = [&](const Points& points) { return points.rows() > 0 ? points : *models; };
+  const Points left = effective(landmark_left_by(*proposal)),
+               now = effective(placed_points(state, structure));
+  return left.rows() == now.rows() && (left.rows() == 0 || (left - now).cwiseAbs().maxCoeff() < kSame);
 }
 
 }  // namespace glisson::engine

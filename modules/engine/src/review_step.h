@@ -20,4 +20,9 @@ CommandTraits review_traits(std::string_view code);
 Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
                     const std::optional<Eigen::VectorXd>& known = {});
 
+/// Whether a structure's landmark is what its proposal's review has left there, and nobody has placed or
+/// taken away anything since. The model's own, which count where nothing is placed, are nobody's mark.
+/// @pre there is a model
+bool landmark_is_as_reviewed(const CaseState& state, atlas::Structure structure);
+
 }  // namespace glisson::engine

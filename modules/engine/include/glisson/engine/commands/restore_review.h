@@ -7,7 +7,8 @@
 namespace glisson::engine {
 
 /// Takes a step of the review back: one proposal and its landmark as they were before. What was done to other
-/// structures since stays.
+/// structures since stays, and so does a landmark that is no longer what the step had left: only the decision
+/// is taken back then.
 struct RestoreReview {
   atlas::Proposal before;
   PointsIn<CtFrame> landmark = {};  ///< as placed_points() had it; none: there was none
