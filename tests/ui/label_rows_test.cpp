@@ -14,6 +14,7 @@ class LabelRowsTest : public QObject {
  private slots:
   void RowsShowUsualLabelsFirstAndAFreeLesion();
   void LesionsThatAreSeededKeepTheirNumbers();
+  void ADiameterGoesWithAnySeedOfItsLesion();
 };
 
 void LabelRowsTest::RowsShowUsualLabelsFirstAndAFreeLesion() {
@@ -74,6 +75,22 @@ void LabelRowsTest::LesionsThatAreSeededKeepTheirNumbers() {
   QCOMPARE(seeds.lesions.size(), std::size_t{3});
   ui::remove_seed(seeds, {18, 0});  // nothing behind it keeps a number
   QVERIFY(seeds.lesions.empty());
+}
+
+/// Which of the seeds it was drawn at is not known: the lesion is found by its edge instead.
+void LabelRowsTest::ADiameterGoesWithAnySeedOfItsLesion() {
+  segmentation::Seeds seeds;
+  ui::add_seed(seeds, 16, {0.0, 0.0, 0.01});
+  ui::add_seed(seeds, 16, {0.0, 0.01, 0.0});
+  ui::add_seed(seeds, 17, {0.02, 0.0, 0.0});
+  ui::set_diameter(seeds, 16, 40.0);
+  ui::set_diameter(seeds, 17, 12.0);
+  ui::remove_seed(seeds, {16, 1});
+  QCOMPARE(seeds.lesions[0].rows(), Eigen::Index{1});
+  QCOMPARE(seeds.lesion_diameter_mm(0), 0.0);
+  QCOMPARE(seeds.lesion_diameter_mm(1), 12.0);
+  ui::remove_seed(seeds, {17, 0});
+  QCOMPARE(seeds.lesion_diameter_mm(1), 0.0);
 }
 
 }  // namespace glisson

@@ -33,6 +33,12 @@ Points* points_of(segmentation::Seeds& seeds, Label structure) {
   return lesion < seeds.lesions.size() ? &seeds.lesions[lesion] : nullptr;
 }
 
+/// It may have been drawn at the seed that goes.
+void forget_diameter(segmentation::Seeds& seeds, Label lesion) {
+  const auto number = static_cast<std::size_t>(lesion - structure::kFirstLesion);
+  if (number < seeds.lesion_diameters_mm.size()) seeds.lesion_diameters_mm[number] = 0.0;
+}
+
 void append(std::vector<SeedEntry>& entries, const Points& points, Label structure) {
   for (Eigen::Index row = 0; row < points.rows(); ++row)
     entries.push_back({structure, static_cast<int>(row), points.row(row).transpose()});
@@ -82,11 +88,10 @@ void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry) {
   const Points tail = points->bottomRows(after);
   points->conservativeResize(points->rows() - 1, 3);
   points->bottomRows(after) = tail;
+  if (is_lesion(entry.structure)) forget_diameter(seeds, entry.structure);
   while (!seeds.lesions.empty() && seeds.lesions.back().rows() == 0) seeds.lesions.pop_back();
   if (seeds.lesion_diameters_mm.size() > seeds.lesions.size())
     seeds.lesion_diameters_mm.resize(seeds.lesions.size());
-  for (std::size_t n = 0; n < seeds.lesion_diameters_mm.size(); ++n)
-    if (seeds.lesions[n].rows() == 0) seeds.lesion_diameters_mm[n] = 0.0;
 }
 
 int count_seeds(const segmentation::Seeds& seeds, Label structure) {
