@@ -5,6 +5,8 @@
 #include <QListWidget>
 #include <QToolButton>
 
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/open_case.h"
 #include "segmentation_window.h"
 
 namespace glisson {
@@ -27,6 +29,7 @@ class SegmentationEditTest : public QObject, private SegmentationWindow {
   void LassoInThreeDimensionsCutsThrough();
   void PaintingWithinIntensitiesSparesTheRest();
   void SurfacesFollowTheEdit();
+  void SurfacesOfTheFormerCaseGoAtOnce();
   void TouchingTreesAreListedAndGoneTo();
   void MouseMeansWhatItMeantBesideTheTool();
 };
@@ -191,11 +194,57 @@ void SegmentationEditTest::SurfacesFollowTheEdit() {
   choose(structure::kVenaCava);
   press("tool_paint");
   find<QComboBox>("brush_shape")->setCurrentIndex(1);
+  bool flickered = false;
+  const QMetaObject::Connection watched = connect(&source, &ui::LabelSurfaceSource::changed, this, [&] {
+    flickered = flickered || !has(structure::kParenchyma);
+  });
   drag(slice(Plane::axial), {{-0.05, -0.05, 0}});
   QVERIFY(settle());
   QTRY_VERIFY(!source.is_making() && has(structure::kVenaCava));
+  QVERIFY(!flickered);  // the former ones stay until the new ones are there
+  disconnect(watched);
   window_->show_step(MainWindow::model);  // with no model yet they stand in for it
   QVERIFY(has(structure::kVenaCava));
+}
+
+/// Another patient's liver in 3D beside this one's slices.
+void SegmentationEditTest::SurfacesOfTheFormerCaseGoAtOnce() {
+  open_labels();
+  const ui::LabelSurfaceSource& source = window_->views().label_surfaces();
+  const auto has_portal_vein = [&] {
+    const auto& blocks = source.surfaces()->blocks();
+    return std::any_of(blocks.begin(), blocks.end(),
+                       [](const auto& entry) { return entry.first.first == structure::kPortalVein; });
+  };
+  QTRY_VERIFY(!source.is_making() && has_portal_vein());
+  QVERIFY(window_->views().seen_point(0.5, 0.5));
+  engine::CaseState other;
+  other[part::image] = std::make_shared<const Image>(ct_);
+  auto small = std::make_shared<LabelMap>(LabelMap{LabelVolume(ct_.grid), {}});
+  small->infos = {structure_info(structure::kParenchyma)};
+  for (int k = 20; k < 26; ++k)
+    for (int i = 30; i < 40; ++i) small->voxels.set({i, 30, k}, structure::kParenchyma);
+  other[part::labels] = small;
+  const TemporaryFolder folder;
+  QVERIFY(engine::save_case(folder.path() / "other.glisson", other, RunContext()));
+  ui::EngineBridge& engine = window_->engine();
+  const std::shared_ptr<const Image> former = engine.state()[part::image];
+  int looks = 0;
+  bool seen = false;
+  const auto look = [&] {
+    if (engine.state()[part::image] == former) return;
+    if (++looks == 1) seen = window_->views().seen_point(0.5, 0.5).has_value();
+    seen = seen || has_portal_vein();
+  };
+  const QMetaObject::Connection by_case = connect(&engine, &ui::EngineBridge::case_changed, this, look);
+  const QMetaObject::Connection by_source = connect(&source, &ui::LabelSurfaceSource::changed, this, look);
+  engine.post(engine::OpenCase{folder.path() / "other.glisson"});
+  QVERIFY(settle());
+  QTRY_VERIFY(!source.is_making() && !source.surfaces()->blocks().empty());
+  disconnect(by_case);
+  disconnect(by_source);
+  QVERIFY(looks > 0);
+  QVERIFY(!seen);
 }
 
 void SegmentationEditTest::TouchingTreesAreListedAndGoneTo() {

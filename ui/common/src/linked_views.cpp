@@ -26,6 +26,14 @@ constexpr int kLate = 150;  ///< milliseconds
 constexpr std::array<scene::Plane, 3> kPlanes = {scene::Plane::axial, scene::Plane::coronal,
                                                  scene::Plane::sagittal};
 
+/// Whether the case's labels are not those that are shown, edited: the CT is another one, or their grid is.
+bool are_of_another_volume(const engine::CaseState& now, const ViewState& shown) {
+  const auto &labels = now[part::labels], &former = shown.labels();
+  if (labels == former) return false;
+  if (now[part::image] != shown.image()) return true;
+  return labels && former && !labels->voxels.grid().same_as(former->voxels.grid());
+}
+
 /// A strip below a view, and the row of what it holds.
 std::pair<QWidget*, QHBoxLayout*> make_strip(const char* role, const QMargins& margins, int spacing,
                                              QWidget* parent) {
@@ -291,6 +299,8 @@ QWidget* LinkedViews::make_volume_pane() {
 
 void LinkedViews::show_case() {
   const engine::CaseState& now = engine_.state();
+  // Of another case: its former surfaces would stand beside this one's slices until the new ones are made.
+  if (are_of_another_volume(now, state_)) label_surfaces_->forget();
   state_.set_volume(now[part::image], now[part::labels]);
   if (now[part::landmarks] != taken_landmarks_ || now[part::model] != taken_model_) {
     const bool was_without_model = !taken_model_;

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <memory>
 
-#include "glisson/ui/common/newest_wins.h"
+#include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/scene/label_surfaces.h"
 
 namespace glisson::ui {
@@ -18,6 +18,8 @@ class LabelSurfaceSource : public QObject {
 
   /// From now on those of these labels; null: none. What is shown stays until the new ones are there.
   void set_labels(std::shared_ptr<const LabelVolume> labels);
+  /// Labels of another patient come: what is shown goes at once, and what is being made never comes.
+  void forget();
   /// The newest that were made; never null.
   const std::shared_ptr<const scene::LabelSurfaces>& surfaces() const { return surfaces_; }
   bool is_making() const { return making_; }
@@ -28,15 +30,15 @@ class LabelSurfaceSource : public QObject {
  private:
   void accept(const std::shared_ptr<const LabelVolume>& of,
               const std::shared_ptr<const scene::LabelSurfaces>& made);
-  /// On the thread.
-  void make(const std::shared_ptr<const LabelVolume>& order, const std::stop_token& stop);
+  /// On the thread. Empty: cancelled.
+  Cancellable<scene::LabelSurfaces> make(const std::shared_ptr<const LabelVolume>& order,
+                                         const RunContext& context);
 
   std::shared_ptr<const LabelVolume> wanted_;
   std::shared_ptr<const scene::LabelSurfaces> surfaces_;
   bool making_ = false;
-  std::shared_ptr<const scene::LabelSurfaces>
-      former_;  ///< the thread's; even of other labels: it compares bricks
-  NewestWins<std::shared_ptr<const LabelVolume>> maker_;
+  scene::LabelSurfaces former_;  ///< the thread's; even of other labels: it compares bricks
+  PreviewService<std::shared_ptr<const LabelVolume>, scene::LabelSurfaces> maker_;
 };
 
 }  // namespace glisson::ui
