@@ -10932,6 +10932,10 @@
         <translation>Flache Elemente: der kleinste Winkel ist %1°. Mit einer anderen Zahl von Ecken neu bauen.</translation>
     </message>
     <message>
+        <source>How closely the mesh follows the organ is not known: it was imported as it is, and there is no organ to compare it with.</source>
+        <translation>Wie genau das Netz dem Organ folgt, ist nicht bekannt: Es wurde so importiert, wie es ist, und es gibt kein Organ zum Vergleich.</translation>
+    </message>
+    <message>
         <source>The mesh holds %1 % less volume than the organ. More vertices follow it more closely.</source>
         <translation>Das Netz hat %1 % weniger Volumen als das Organ. Mehr Ecken folgen ihm genauer.</translation>
     </message>

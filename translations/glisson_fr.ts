@@ -10932,6 +10932,10 @@
         <translation>Éléments plats : le plus petit angle est de %1°. Reconstruisez avec un autre nombre de sommets.</translation>
     </message>
     <message>
+        <source>How closely the mesh follows the organ is not known: it was imported as it is, and there is no organ to compare it with.</source>
+        <translation>On ne sait pas à quel point le maillage suit l&apos;organe : il a été importé tel quel et il n&apos;y a pas d&apos;organe auquel le comparer.</translation>
+    </message>
+    <message>
         <source>The mesh holds %1 % less volume than the organ. More vertices follow it more closely.</source>
         <translation>Le maillage a %1 % de volume de moins que l&apos;organe. Plus de sommets le suivent de plus près.</translation>
     </message>

@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/engine/commands/import_mesh.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/image.h"
@@ -18,6 +19,8 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/engine/script.h"
+#include "glisson/geometry/mesh_io.h"
 #include "killed_child.h"
 #include "small_case.h"
 
@@ -36,6 +39,8 @@ class CaseIoTest : public QObject {
   Q_OBJECT
  private slots:
   void ACaseComesBackAsItWas();
+  void WhatWasMeasuredOnAMeshComesBackAndNothingElse();
+  void AnImportedMeshHasNoFiguresOfAnOrgan();
   void ALiveDeviceIsNoFile();
   void SavingAgainReplacesTheCase();
   void ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne();
@@ -76,6 +81,42 @@ void CaseIoTest::ACaseComesBackAsItWas() {
   const auto& [kind, at, to] = (*read)[part::model]->tree_edits.at(0);
   QVERIFY(kind == model::TreeEdit::Kind::prune && (at - Eigen::Vector3d(0.02, 0.02, 0.02)).norm() < 1e-9);
   QCOMPARE((*read)[part::model]->trees_as_built.at(0).beams, state[part::model]->trees_as_built.at(0).beams);
+}
+
+void CaseIoTest::WhatWasMeasuredOnAMeshComesBackAndNothingElse() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  const auto came_back = [&](const std::optional<model::OrganFit>& fit) {
+    CaseState state = small_case();
+    auto built = std::make_shared<model::BuiltModel>(*state[part::model]);
+    built->report.quality.organ_fit = fit;
+    state[part::model] = built;
+    save_case(path, state, RunContext());
+    return (*open_case(path, RunContext()))[part::model]->report.quality.organ_fit;
+  };
+  const auto fit = came_back(model::OrganFit{-0.02, 0.1, 0.2, 0.3, 4.0});
+  QVERIFY(fit);
+  QCOMPARE(fit->volume_error, -0.02);
+  QCOMPARE(fit->vertices_to_fine_mean_mm, 0.1);
+  QCOMPARE(fit->mesh_to_fine_mean_mm, 0.2);
+  QCOMPARE(fit->fine_to_mesh_mean_mm, 0.3);
+  QCOMPARE(fit->fine_to_mesh_max_mm, 4.0);
+  QVERIFY(!came_back(std::nullopt));
+  QVERIFY(read_file(path / "case.json").find("volume_error") == std::string::npos);
+  // Cases of before hold zeros there.
+  QVERIFY(!came_back(model::OrganFit{}));
+  QVERIFY(read_file(path / "case.json").find("volume_error") != std::string::npos);
+}
+
+void CaseIoTest::AnImportedMeshHasNoFiguresOfAnOrgan() {
+  const TemporaryFolder folder;
+  write_tet_mesh(folder.path() / "m.vtu", small_case()[part::model]->model.mesh, LengthUnit::millimetre);
+  Script script{RunContext()};
+  const auto outcome = script.run(ImportMesh{folder.path() / "m.vtu", LengthUnit::millimetre});
+  QCOMPARE(outcome->figures.at("model_tetrahedra"), 2.0);
+  for (const char* figure : {"model_volume_error", "model_vertices_to_fine_mean_mm",
+                             "model_fine_to_mesh_mean_mm", "model_fine_to_mesh_max_mm"})
+    QVERIFY2(!outcome->figures.contains(figure), figure);
 }
 
 void CaseIoTest::ALiveDeviceIsNoFile() {

@@ -120,9 +120,10 @@ void LabelsTest::MeshFillsTheLabels() {
   const double ellipsoid = 4.0 / 3.0 * std::numbers::pi * 0.06 * 0.045 * 0.04;
   QVERIFY2(std::abs(volume(built_.model.mesh) / ellipsoid - 1.0) < 0.06,
            qPrintable(QString::number(volume(built_.model.mesh) / ellipsoid)));
-  QVERIFY(std::abs(built_.report.quality.volume_error) < 0.06);
-  QVERIFY(built_.report.quality.fine_to_mesh_mean_mm < 1.5);
-  QVERIFY(built_.report.quality.vertices_to_fine_mean_mm <= 0.25);
+  QVERIFY(built_.report.quality.organ_fit);
+  QVERIFY(std::abs(built_.report.quality.organ_fit->volume_error) < 0.06);
+  QVERIFY(built_.report.quality.organ_fit->fine_to_mesh_mean_mm < 1.5);
+  QVERIFY(built_.report.quality.organ_fit->vertices_to_fine_mean_mm <= 0.25);
   const Eigen::Vector3d middle = built_.model.mesh.vertices.colwise().mean().transpose();
   QVERIFY((middle - in_ct(map_, kCentre)).norm() < 6e-3);
 }

@@ -26,13 +26,15 @@ void LiverModelsTest::RealPatientBecomesAModel() {
   const auto built = model::build_from_surfaces(surfaces, {}, RunContext());
   QVERIFY(built.has_value());
   const model::MeshQuality& quality = built->report.quality;
+  QVERIFY(quality.organ_fit);
+  const model::OrganFit& fit = *quality.organ_fit;
   qInfo(
       "%d nodes, %d tetrahedra, dihedral %.1f to %.1f deg, volume %.1f %%, nodes to fine %.3f mm, mesh to "
       "fine %.2f mm, "
       "fine to mesh %.2f mm (max %.1f), %.1f s",
       quality.vertices, quality.tetrahedra, quality.min_dihedral_deg, quality.max_dihedral_deg,
-      100 * quality.volume_error, quality.vertices_to_fine_mean_mm, quality.mesh_to_fine_mean_mm,
-      quality.fine_to_mesh_mean_mm, quality.fine_to_mesh_max_mm, 1e-3 * static_cast<double>(timer.elapsed()));
+      100 * fit.volume_error, fit.vertices_to_fine_mean_mm, fit.mesh_to_fine_mean_mm,
+      fit.fine_to_mesh_mean_mm, fit.fine_to_mesh_max_mm, 1e-3 * static_cast<double>(timer.elapsed()));
   for (const std::string& note : built->report.notes) qInfo("%s", note.c_str());
   for (const VesselTree& tree : built->model.vessels)
     qInfo("%s: %zu beams, root (%.0f %.0f %.0f) r %.1f", structure_name(tree.structure).c_str(),
@@ -40,9 +42,9 @@ void LiverModelsTest::RealPatientBecomesAModel() {
           1e3 * tree.radii[0]);
   QVERIFY(std::abs(quality.vertices - 550) <= 55);
   QVERIFY(quality.min_dihedral_deg >= 10.0);
-  QVERIFY(std::abs(quality.volume_error) < 0.04);
-  QVERIFY(quality.vertices_to_fine_mean_mm <= 0.25);
-  QVERIFY(quality.fine_to_mesh_mean_mm < 2.0);
+  QVERIFY(std::abs(fit.volume_error) < 0.04);
+  QVERIFY(fit.vertices_to_fine_mean_mm <= 0.25);
+  QVERIFY(fit.fine_to_mesh_mean_mm < 2.0);
   for (const model::LesionVolume& lesion : model::lesion_volumes(built->model))
     if (lesion.volume > 1e-6) QVERIFY(std::abs(lesion.mesh_volume / lesion.volume - 1.0) < 0.05);
   std::size_t beams = 0;
@@ -61,10 +63,12 @@ void LiverModelsTest::FineMeshKeepsTheVolume() {
   const auto built =
       model::build_from_surfaces(model::read_surfaces(folder, LengthUnit::millimetre), options, RunContext());
   const model::MeshQuality& quality = built->report.quality;
-  qInfo("%d tetrahedra, volume %.2f %%, dihedral %.1f deg", quality.tetrahedra, 100.0 * quality.volume_error,
+  QVERIFY(quality.organ_fit);
+  const model::OrganFit& fit = *quality.organ_fit;
+  qInfo("%d tetrahedra, volume %.2f %%, dihedral %.1f deg", quality.tetrahedra, 100.0 * fit.volume_error,
         quality.min_dihedral_deg);
   QVERIFY(quality.tetrahedra > 9000 && quality.tetrahedra < 11500);
-  QVERIFY(std::abs(quality.volume_error) < 0.01);
+  QVERIFY(std::abs(fit.volume_error) < 0.01);
   QVERIFY(quality.min_dihedral_deg >= 10.0);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/model/quality.h"
+#include "glisson/model/build.h"
 
 #include <QtTest>
 #include <numbers>
@@ -38,6 +39,7 @@ class QualityTest : public QObject {
   void LesionsAreMeasuredBothWays();
   void TreesAreCounted();
   void NothingIsMeasuredOnNothing();
+  void AnImportedMeshIsComparedWithNoOrgan();
 };
 
 void QualityTest::RegularTetrahedronHasItsAngles() {
@@ -109,6 +111,14 @@ void QualityTest::NothingIsMeasuredOnNothing() {
   QVERIFY(model::tree_summaries(none).empty());
   QVERIFY(model::worst_tetrahedra(none.mesh, 3).empty());
   QCOMPARE(model::mean_edge_length(none.mesh), 0.0);
+}
+
+/// Zeros would say that it follows the organ perfectly.
+void QualityTest::AnImportedMeshIsComparedWithNoOrgan() {
+  const model::MeshQuality quality = model::build_from_mesh(two_tetrahedra()).report.quality;
+  QCOMPARE(quality.tetrahedra, 2);
+  QVERIFY(quality.min_dihedral_deg > 0.0);
+  QVERIFY(!quality.organ_fit);
 }
 
 QTEST_APPLESS_MAIN(QualityTest)

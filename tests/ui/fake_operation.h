@@ -40,6 +40,7 @@ class FakeOperation {
   LabelMap labels;
   PatientModel model;
   std::vector<std::string> model_notes;  ///< what building it tells
+  bool knows_organ = true;               ///< false: the mesh is as one that was imported
   StereoRig rig;
   CameraFromCt camera_from_ct;
   std::filesystem::path video;  ///< side by side

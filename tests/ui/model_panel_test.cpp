@@ -44,6 +44,7 @@ class ModelPanelTest : public QObject {
   void cleanup();
   void TheSheetSaysWhatStandsOut();
   void ALiverThatEndsWithTheImageStandsOut();
+  void WhatCannotBeComparedIsNotShownAsPerfect();
   void TheCheckIsKeptUntilAnotherModel();
   void LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved();
   void FlattestElementsAreShownAndPutAway();
@@ -168,6 +169,23 @@ void ModelPanelTest::ALiverThatEndsWithTheImageStandsOut() {
   window_->engine().post(engine::BuildModel{});
   QVERIFY(settle());
   QTRY_VERIFY(text("model_summary").contains(QStringLiteral("The image ends inside the liver: 166 cm²")));
+}
+
+void ModelPanelTest::WhatCannotBeComparedIsNotShownAsPerfect() {
+  const auto shown = [&] {
+    QStringList texts;
+    for (const QLabel* label : sheet().findChildren<QLabel*>()) texts << label->text();
+    return texts;
+  };
+  QVERIFY(shown().contains(QStringLiteral("Volume error")));
+  QVERIFY(!text("model_summary").contains(QStringLiteral("not known")));
+  operation_->knows_organ = false;
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(settle());
+  QTRY_VERIFY(text("model_summary").contains(QStringLiteral("not known")));
+  for (const char* row : {"Volume error", "Mesh to fine surface, mean", "Fine surface to mesh, largest"})
+    QVERIFY2(!shown().contains(QString::fromLatin1(row)), row);
+  QVERIFY(shown().contains(QStringLiteral("Tetrahedra")));
 }
 
 void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {

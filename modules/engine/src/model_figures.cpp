@@ -22,10 +22,12 @@ Applied with_model(const CaseState& state, model::BuiltModel built) {
   applied.figures["model_tetrahedra"] = model.mesh.tetrahedron_count();
   applied.figures["model_volume_ml"] = 1e6 * volume(model.mesh);
   applied.figures["model_min_dihedral_deg"] = quality.min_dihedral_deg;
-  applied.figures["model_volume_error"] = quality.volume_error;
-  applied.figures["model_vertices_to_fine_mean_mm"] = quality.vertices_to_fine_mean_mm;
-  applied.figures["model_fine_to_mesh_mean_mm"] = quality.fine_to_mesh_mean_mm;
-  applied.figures["model_fine_to_mesh_max_mm"] = quality.fine_to_mesh_max_mm;
+  if (const auto& fit = quality.organ_fit) {
+    applied.figures["model_volume_error"] = fit->volume_error;
+    applied.figures["model_vertices_to_fine_mean_mm"] = fit->vertices_to_fine_mean_mm;
+    applied.figures["model_fine_to_mesh_mean_mm"] = fit->fine_to_mesh_mean_mm;
+    applied.figures["model_fine_to_mesh_max_mm"] = fit->fine_to_mesh_max_mm;
+  }
   double beams = 0.0;
   for (const VesselTree& tree : model.vessels) beams += static_cast<double>(tree.beams.size());
   applied.figures["model_beams"] = beams;

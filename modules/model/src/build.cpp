@@ -30,13 +30,14 @@ MeshQuality quality_of(const TetMesh& mesh, const BoundarySurface& boundary, con
   const Eigen::MatrixX2d angles = dihedral_angles(mesh);
   quality.min_dihedral_deg = angles.col(0).minCoeff();
   quality.max_dihedral_deg = angles.col(1).maxCoeff();
-  quality.volume_error = volume(mesh) / anatomy.liver_volume - 1.0;
-  quality.vertices_to_fine_mean_mm =
+  OrganFit& fit = quality.organ_fit.emplace();
+  fit.volume_error = volume(mesh) / anatomy.liver_volume - 1.0;
+  fit.vertices_to_fine_mean_mm =
       1e3 * summarise(distances_to_surface(boundary.mesh.vertices, anatomy.fine_liver)).mean;
   const SurfaceDistance distance = surface_distance(boundary.mesh, anatomy.fine_liver);
-  quality.mesh_to_fine_mean_mm = 1e3 * distance.forward.mean;
-  quality.fine_to_mesh_mean_mm = 1e3 * distance.backward.mean;
-  quality.fine_to_mesh_max_mm = 1e3 * distance.backward.maximum;
+  fit.mesh_to_fine_mean_mm = 1e3 * distance.forward.mean;
+  fit.fine_to_mesh_mean_mm = 1e3 * distance.backward.mean;
+  fit.fine_to_mesh_max_mm = 1e3 * distance.backward.maximum;
   return quality;
 }
 

@@ -134,15 +134,7 @@ QStringList QualitySheet::findings() const {
   if (q.min_dihedral_deg < kFlatDeg)
     found << tr("Flat elements: the smallest angle is %1°. Build anew with another number of vertices.")
                  .arg(q.min_dihedral_deg, 0, 'f', 1);
-  if (std::abs(q.volume_error) > kVolumeToLookAt)
-    found << tr("The mesh holds %1 % less volume than the organ. More vertices follow it more closely.")
-                 .arg(-100.0 * q.volume_error, 0, 'f', 1);
-  if (q.vertices_to_fine_mean_mm > kDistanceToLookAtMm)
-    found << tr("The mesh's vertices lie %1 mm beside the organ's surface on average.")
-                 .arg(q.vertices_to_fine_mean_mm, 0, 'f', 1);
-  if (q.fine_to_mesh_max_mm > kGapToLookAtMm)
-    found << tr("A thin edge of the liver stands out of the mesh by %1 mm.")
-                 .arg(q.fine_to_mesh_max_mm, 0, 'f', 0);
+  found << fit_findings();
   std::map<Label, int> trees;
   for (const VesselTree& tree : shown_->model.vessels) ++trees[tree.structure];
   for (const auto& [structure, count] : trees)
@@ -158,6 +150,26 @@ QStringList QualitySheet::findings() const {
   return found;
 }
 
+QStringList QualitySheet::fit_findings() const {
+  const std::optional<model::OrganFit>& fit = shown_->report.quality.organ_fit;
+  if (!fit)
+    return {
+        tr("How closely the mesh follows the organ is not known: it was imported as it is, and there is no "
+           "organ "
+           "to compare it with.")};
+  QStringList found;
+  if (std::abs(fit->volume_error) > kVolumeToLookAt)
+    found << tr("The mesh holds %1 % less volume than the organ. More vertices follow it more closely.")
+                 .arg(-100.0 * fit->volume_error, 0, 'f', 1);
+  if (fit->vertices_to_fine_mean_mm > kDistanceToLookAtMm)
+    found << tr("The mesh's vertices lie %1 mm beside the organ's surface on average.")
+                 .arg(fit->vertices_to_fine_mean_mm, 0, 'f', 1);
+  if (fit->fine_to_mesh_max_mm > kGapToLookAtMm)
+    found << tr("A thin edge of the liver stands out of the mesh by %1 mm.")
+                 .arg(fit->fine_to_mesh_max_mm, 0, 'f', 0);
+  return found;
+}
+
 std::vector<std::pair<QString, QString>> QualitySheet::mesh_rows() const {
   const model::MeshQuality& q = shown_->report.quality;
   const PatientModel& patient = shown_->model;
@@ -166,12 +178,14 @@ std::vector<std::pair<QString, QString>> QualitySheet::mesh_rows() const {
       {tr("Vertices"), QString::number(q.vertices)},
       {tr("Tetrahedra"), QString::number(q.tetrahedra)},
       {tr("Edge length, mean"), tr("%1 mm").arg(1e3 * model::mean_edge_length(patient.mesh), 0, 'f', 1)},
-      {tr("Volume"), tr("%1 ml").arg(1e6 * volume(patient.mesh), 0, 'f', 0)},
-      {tr("Volume error"), tr("%1 %").arg(100.0 * q.volume_error, 0, 'f', 1)},
-      {tr("Vertices to fine surface, mean"), mm(q.vertices_to_fine_mean_mm)},
-      {tr("Mesh to fine surface, mean"), mm(q.mesh_to_fine_mean_mm)},
-      {tr("Fine surface to mesh, mean"), mm(q.fine_to_mesh_mean_mm)},
-      {tr("Fine surface to mesh, largest"), mm(q.fine_to_mesh_max_mm)}};
+      {tr("Volume"), tr("%1 ml").arg(1e6 * volume(patient.mesh), 0, 'f', 0)}};
+  if (const auto& fit = q.organ_fit) {
+    rows.emplace_back(tr("Volume error"), tr("%1 %").arg(100.0 * fit->volume_error, 0, 'f', 1));
+    rows.emplace_back(tr("Vertices to fine surface, mean"), mm(fit->vertices_to_fine_mean_mm));
+    rows.emplace_back(tr("Mesh to fine surface, mean"), mm(fit->mesh_to_fine_mean_mm));
+    rows.emplace_back(tr("Fine surface to mesh, mean"), mm(fit->fine_to_mesh_mean_mm));
+    rows.emplace_back(tr("Fine surface to mesh, largest"), mm(fit->fine_to_mesh_max_mm));
+  }
   if (q.min_dihedral_deg > 0.0)
     rows.emplace_back(tr("Dihedral angles"),
                       tr("%1° to %2°").arg(q.min_dihedral_deg, 0, 'f', 1).arg(q.max_dihedral_deg, 0, 'f', 1));

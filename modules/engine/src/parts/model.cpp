@@ -20,6 +20,40 @@ using nlohmann::json;
 
 constexpr LengthUnit kUnit = LengthUnit::millimetre;
 
+/// Without an organ to compare with, what would be measured on it is left out.
+json write_quality(const model::MeshQuality& quality) {
+  json sheet = {{"vertices", quality.vertices},
+                {"tetrahedra", quality.tetrahedra},
+                {"min_dihedral_deg", quality.min_dihedral_deg},
+                {"max_dihedral_deg", quality.max_dihedral_deg}};
+  if (const auto& fit = quality.organ_fit)
+    sheet.update({{"volume_error", fit->volume_error},
+                  {"vertices_to_fine_mean_mm", fit->vertices_to_fine_mean_mm},
+                  {"mesh_to_fine_mean_mm", fit->mesh_to_fine_mean_mm},
+                  {"fine_to_mesh_mean_mm", fit->fine_to_mesh_mean_mm},
+                  {"fine_to_mesh_max_mm", fit->fine_to_mesh_max_mm}});
+  return sheet;
+}
+
+model::MeshQuality read_quality(const json& sheet) {
+  model::MeshQuality quality;
+  quality.vertices = sheet.at("vertices");
+  quality.tetrahedra = sheet.at("tetrahedra");
+  quality.min_dihedral_deg = sheet.at("min_dihedral_deg");
+  quality.max_dihedral_deg = sheet.at("max_dihedral_deg");
+  if (!sheet.contains("volume_error")) return quality;
+  model::OrganFit fit;
+  fit.volume_error = sheet.at("volume_error");
+  fit.vertices_to_fine_mean_mm = sheet.at("vertices_to_fine_mean_mm");
+  fit.mesh_to_fine_mean_mm = sheet.at("mesh_to_fine_mean_mm");
+  fit.fine_to_mesh_mean_mm = sheet.at("fine_to_mesh_mean_mm");
+  fit.fine_to_mesh_max_mm = sheet.at("fine_to_mesh_max_mm");
+  // Earlier programs wrote zeros where nothing was measured; no mesh follows an organ to the last bit.
+  const bool is_measured = fit.volume_error != 0.0 || fit.mesh_to_fine_mean_mm != 0.0;
+  if (is_measured) quality.organ_fit = fit;
+  return quality;
+}
+
 json write_model(const fs::path& folder, const model::BuiltModel& built) {
   fs::create_directory(folder / "model");
   write_tet_mesh(folder / "model/mesh.vtu", built.model.mesh, kUnit);
@@ -37,19 +71,9 @@ json write_model(const fs::path& folder, const model::BuiltModel& built) {
     write_triangle_mesh(folder / name, surface.mesh, kUnit);
     surfaces.push_back({{"file", name}, {"structure", surface.structure}, {"name", surface.name}});
   }
-  const model::MeshQuality& q = built.report.quality;
   return {{"surfaces", surfaces},
           {"notes", built.report.notes},
-          {"quality",
-           {{"vertices", q.vertices},
-            {"tetrahedra", q.tetrahedra},
-            {"min_dihedral_deg", q.min_dihedral_deg},
-            {"max_dihedral_deg", q.max_dihedral_deg},
-            {"volume_error", q.volume_error},
-            {"vertices_to_fine_mean_mm", q.vertices_to_fine_mean_mm},
-            {"mesh_to_fine_mean_mm", q.mesh_to_fine_mean_mm},
-            {"fine_to_mesh_mean_mm", q.fine_to_mesh_mean_mm},
-            {"fine_to_mesh_max_mm", q.fine_to_mesh_max_mm}}}};
+          {"quality", write_quality(built.report.quality)}};
 }
 
 model::BuiltModel read_model(const fs::path& folder, const json& entry) {
@@ -68,17 +92,7 @@ model::BuiltModel read_model(const fs::path& folder, const json& entry) {
         {ranged<Label>(folder, surface, "structure", 0.0, 65535.0), surface.at("name").get<std::string>(),
          read_triangle_mesh(file_of_case(folder, "surfaces", surface.at("file").get<std::string>()), kUnit)});
   built.report.notes = entry.at("notes").get<std::vector<std::string>>();
-  model::MeshQuality& q = built.report.quality;
-  const json& sheet = entry.at("quality");
-  q.vertices = sheet.at("vertices");
-  q.tetrahedra = sheet.at("tetrahedra");
-  q.min_dihedral_deg = sheet.at("min_dihedral_deg");
-  q.max_dihedral_deg = sheet.at("max_dihedral_deg");
-  q.volume_error = sheet.at("volume_error");
-  q.vertices_to_fine_mean_mm = sheet.at("vertices_to_fine_mean_mm");
-  q.mesh_to_fine_mean_mm = sheet.at("mesh_to_fine_mean_mm");
-  q.fine_to_mesh_mean_mm = sheet.at("fine_to_mesh_mean_mm");
-  q.fine_to_mesh_max_mm = sheet.at("fine_to_mesh_max_mm");
+  built.report.quality = read_quality(entry.at("quality"));
   return built;
 }
 

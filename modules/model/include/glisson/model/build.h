@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,20 @@ struct MeshOptions {
   void validate() const;
 };
 
-/// What a person reads before approving a mesh.
-struct MeshQuality {
-  int vertices = 0, tetrahedra = 0;
-  double min_dihedral_deg = 0.0, max_dihedral_deg = 0.0;
+/// How closely a mesh follows the organ that it was built of.
+struct OrganFit {
   double volume_error = 0.0;  ///< (mesh - labels) / labels
   /// From the vertices of the mesh's surface to the fine surface: the paper's "mean Hausdorff distance".
   double vertices_to_fine_mean_mm = 0.0;
   double mesh_to_fine_mean_mm = 0.0, fine_to_mesh_mean_mm = 0.0, fine_to_mesh_max_mm = 0.0;
+};
+
+/// What a person reads before approving a mesh.
+struct MeshQuality {
+  int vertices = 0, tetrahedra = 0;
+  double min_dihedral_deg = 0.0, max_dihedral_deg = 0.0;
+  /// None: not known, the mesh came without the organ's labels or surfaces.
+  std::optional<OrganFit> organ_fit;
 };
 
 /// What building a model says of itself.

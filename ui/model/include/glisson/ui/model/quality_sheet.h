@@ -35,6 +35,8 @@ class QualitySheet : public QWidget {
   void show_worst();
   /// What is worth a look, a line each.
   QStringList findings() const;
+  /// Of them: how closely the mesh follows the organ.
+  QStringList fit_findings() const;
   std::vector<std::pair<QString, QString>> mesh_rows() const;
   std::vector<std::pair<QString, QString>> structure_rows() const;  ///< lesions, and trees of vessels
 
