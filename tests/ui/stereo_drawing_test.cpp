@@ -222,6 +222,16 @@ class StereoDrawingTest : public QObject {
     QVERIFY(!drawing.can_undo() && drawing.regions().empty());
   }
 
+  /// What was drawn for one patient is not brought back into another one's case.
+  void AnotherCaseBeginsANewHistoryWhateverItHolds() {
+    RegionDrawing drawing = with_triangle();
+    drawing.undo();
+    QVERIFY(drawing.regions().empty() && drawing.can_redo());
+    drawing.begin_anew({});
+    QVERIFY(!drawing.can_undo() && !drawing.can_redo());
+    QVERIFY(!drawing.redo() && drawing.regions().empty());
+  }
+
   void ClearIsOneStep() {
     RegionDrawing drawing = with_triangle();
     QVERIFY(drawing.clear());

@@ -11,7 +11,9 @@
 
 #include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/frame.h"
@@ -47,6 +49,7 @@ class StereoLabellingTest : public QObject {
   void WheelEnlargesAboutThePointerAndClicksStayTrue();
   void KeyboardReachesEverythingByAName();
   void RegionsOfAnotherFrameAreSaid();
+  void AnotherCaseHasNothingToUndoOfThisOne();
   void cleanupTestCase() { window_.reset(); }
 
  private:
@@ -344,6 +347,22 @@ void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
   QVERIFY(settle());
   QTRY_VERIFY(!warning->isVisible());
   QVERIFY(state()[part::regions]->regions.empty());
+}
+
+/// Neither has regions now: what was drawn here is of another patient.
+void StereoLabellingTest::AnotherCaseHasNothingToUndoOfThisOne() {
+  const ui::RegionDrawing& drawing = panel().stereo_view().drawing();
+  QVERIFY(drawing.regions().empty() && drawing.can_undo());
+  engine::CaseState other;
+  other[part::frame] = state()[part::frame];
+  QVERIFY(engine::save_case(folder_.path() / "other.glisson", other, RunContext()));
+  window_->engine().post(engine::OpenCase{folder_.path() / "other.glisson"});
+  QVERIFY(settle());
+  QVERIFY(state()[part::frame] && !state()[part::regions]);
+  QVERIFY(!drawing.can_undo() && !drawing.can_redo());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QVERIFY(drawing.regions().empty() && !state()[part::regions]);
 }
 
 }  // namespace glisson

@@ -34,7 +34,10 @@ void RegionDrawing::set_tool(const std::optional<Tool>& tool) {
 }
 
 void RegionDrawing::set_regions(const Regions& regions) {
-  if (same_regions(regions, regions_)) return;
+  if (!same_regions(regions, regions_)) begin_anew(regions);
+}
+
+void RegionDrawing::begin_anew(const Regions& regions) {
   regions_ = regions;
   past_.clear();
   future_.clear();

@@ -73,6 +73,7 @@ StereoPanel::~StereoPanel() {
 void StereoPanel::take_outcome(const engine::Outcome& outcome) {
   const bool done = outcome.status == engine::Status::done;
   if (storing_.erase(outcome.id) > 0 && storing_.empty()) {
+    has_stored_ = done;
     // The engine refused the regions: show again those that the case has.
     if (!done) {
       view_->drawing().set_regions({});
@@ -295,11 +296,7 @@ void StereoPanel::show_case() {
     if (now[part::frame]) frame_->setValue(now[part::frame]->frame.index);
   }
   view_->set_pair(now[part::frame], rig_fits() ? now[part::rig] : nullptr);
-  if (storing_.empty() && now[part::regions] != taken_) {
-    taken_ = now[part::regions];
-    view_->drawing().set_regions(taken_ ? taken_->regions : RegionDrawing::Regions());
-    view_->refresh();
-  }
+  if (storing_.empty()) take_regions();
   calibration_->setText(now[part::rig] ? tr("%1 × %2, baseline %3 mm")
                                              .arg(now[part::rig]->left.width)
                                              .arg(now[part::rig]->left.height)
@@ -320,6 +317,19 @@ void StereoPanel::show_case() {
   view_->set_cloud(now[part::cloud], engine().snapshot()->stage(part::cloud) == engine::StageState::stale,
                    now[part::points]);
   show_figures();
+}
+
+void StereoPanel::take_regions() {
+  const bool stored = std::exchange(has_stored_, false);
+  if (engine().state()[part::regions] == taken_) return;
+  taken_ = engine().state()[part::regions];
+  const RegionDrawing::Regions regions = taken_ ? taken_->regions : RegionDrawing::Regions();
+  // What comes from elsewhere, as with another case, is nothing that was drawn here and could be undone.
+  if (stored && taken_)
+    view_->drawing().set_regions(regions);
+  else
+    view_->drawing().begin_anew(regions);
+  view_->refresh();
 }
 
 void StereoPanel::show_figures() {

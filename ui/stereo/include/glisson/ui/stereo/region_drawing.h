@@ -41,6 +41,8 @@ class RegionDrawing {
   const std::optional<Tool>& tool() const { return tool_; }
   /// What the case holds. Other regions than those here (of another frame or case) begin a new history.
   void set_regions(const Regions& regions);
+  /// What another case holds: even the same regions begin a new history.
+  void begin_anew(const Regions& regions);
   const Regions& regions() const { return regions_; }
   /// The line that is being drawn; null: none.
   const stereo::Region* unfinished() const { return unfinished_ ? &*unfinished_ : nullptr; }

@@ -60,6 +60,7 @@ class StereoPanel : public Panel {
   /// Labels the points anew, where they are of this pair: regions have changed.
   void label();
   void show_case();
+  void take_regions();
   void show_cloud();
   void show_drawing();
   void show_region_list();
@@ -85,7 +86,8 @@ class StereoPanel : public Panel {
   FiguresTable* figures_ = nullptr;
   QLabel* warnings_ = nullptr;
   std::set<engine::CommandId> storing_;
-  std::optional<engine::CommandId> opening_;         ///< a source whose first frame is wanted
+  bool has_stored_ = false;                   ///< the case's next regions are those that were drawn here
+  std::optional<engine::CommandId> opening_;  ///< a source whose first frame is wanted
   std::optional<stereo::ReconstructOptions> again_;  ///< with which the points that are labelled were made
   QString faults_;            ///< what the last reconstruction found wrong with the pair
   bool label_again_ = false;  ///< regions changed while points were labelled
