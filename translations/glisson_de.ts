@@ -5683,6 +5683,42 @@
         <source>Give up to a second; 0 is half a frame</source>
         <translation>Geben Sie bis zu einer Sekunde an; 0 ist die Hälfte eines Bildes</translation>
     </message>
+    <message>
+        <source>has changed since it was looked at</source>
+        <translation>hat sich geändert, seit es angesehen wurde</translation>
+    </message>
+    <message>
+        <source>Look at it as it is now, and say it again</source>
+        <translation>Sehen Sie es an, wie es jetzt ist, und sagen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>is another case</source>
+        <translation>ist ein anderer Fall</translation>
+    </message>
+    <message>
+        <source>Choose another name, or say that it is replaced</source>
+        <translation>Wählen Sie einen anderen Namen, oder sagen Sie, dass er ersetzt wird</translation>
+    </message>
+    <message>
+        <source>show %1 points of the liver&apos;s surface, at least %2 are needed</source>
+        <translation>zeigen %1 Punkte der Leberoberfläche, mindestens %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>Draw a region on its surface, too</source>
+        <translation>Zeichnen Sie auch einen Bereich auf ihrer Oberfläche</translation>
+    </message>
+    <message>
+        <source>meet nothing of the model: they lie elsewhere, or their normals point away</source>
+        <translation>treffen nichts vom Modell: Sie liegen anderswo, oder ihre Normalen zeigen weg</translation>
+    </message>
+    <message>
+        <source>Give a start that is nearer, or the cloud without normals</source>
+        <translation>Geben Sie einen näheren Anfang an, oder die Wolke ohne Normalen</translation>
+    </message>
+    <message>
+        <source>are no regular stack: %1 lies %2 mm from its place</source>
+        <translation>sind kein gleichmäßiger Stapel: %1 liegt %2 mm neben ihrem Platz</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6408,6 +6444,26 @@
         <source>%1 is no lesion of this model: what is said of its stiffness is left out.</source>
         <translation>%1 ist keine Läsion dieses Modells: Was über ihre Steifigkeit gesagt ist, wird weggelassen.</translation>
     </message>
+    <message>
+        <source>The hepatic veins are up to %1 mm wide: they have grown on into the vena cava. Click the vena cava, too, and segment again.</source>
+        <translation>Die Lebervenen sind bis zu %1 mm weit: Sie sind in die Hohlvene weitergewachsen. Klicken Sie auch die Hohlvene an, und segmentieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>No vena cava was found at its seeds: what there was stays.</source>
+        <translation>An ihren Klicks wurde keine Hohlvene gefunden: Was da war, bleibt.</translation>
+    </message>
+    <message>
+        <source>No gallbladder was found at its seeds: what there was stays.</source>
+        <translation>An ihren Klicks wurde keine Gallenblase gefunden: Was da war, bleibt.</translation>
+    </message>
+    <message>
+        <source>The liver lies to the left of the vena cava: left and right may be swapped in the image.</source>
+        <translation>Die Leber liegt links von der Hohlvene: Links und rechts sind im Bild vielleicht vertauscht.</translation>
+    </message>
+    <message>
+        <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
+        <translation>%1 reicht so weit, wie ein Klick nach ihrem Rand sucht, und vielleicht weiter: Zeichnen Sie ihren Durchmesser.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -6892,6 +6948,25 @@
     <message>
         <source>Labels still to be reviewed: %1.</source>
         <translation>Labels, die noch zu prüfen sind: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>SaveName</name>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Replacing it deletes what it holds.</source>
+        <translation>Beim Ersetzen wird gelöscht, was darin ist.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -11065,6 +11140,10 @@
         <source>Raw views, side by side, can be followed again. What was known of each picture is written beside.</source>
         <translation>Rohe Ansichten, nebeneinander, können noch einmal verfolgt werden. Was von jedem Bild bekannt war, wird daneben geschrieben.</translation>
     </message>
+    <message>
+        <source>The video has ended meanwhile: nothing is recorded.</source>
+        <translation>Das Video ist inzwischen zu Ende: Es wird nichts aufgezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RecordingModel</name>
@@ -12101,6 +12180,10 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>Address and port of PLUS or another server, and its devices of the left and the right picture</source>
         <translation>Adresse und Port von PLUS oder einem anderen Server und seine Geräte des linken und des rechten Bildes</translation>
+    </message>
+    <message>
+        <source>Still as drawn on another frame: %1. Move or clear them.</source>
+        <translation>Noch wie auf einem anderen Bild gezeichnet: %1. Verschieben oder löschen Sie sie.</translation>
     </message>
 </context>
 <context>

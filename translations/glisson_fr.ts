@@ -5683,6 +5683,42 @@
         <source>Give up to a second; 0 is half a frame</source>
         <translation>Donnez jusqu’à une seconde ; 0 est une demi-image</translation>
     </message>
+    <message>
+        <source>has changed since it was looked at</source>
+        <translation>a changé depuis qu&apos;on l&apos;a regardé</translation>
+    </message>
+    <message>
+        <source>Look at it as it is now, and say it again</source>
+        <translation>Regardez-le tel qu&apos;il est maintenant et dites-le encore</translation>
+    </message>
+    <message>
+        <source>is another case</source>
+        <translation>est un autre cas</translation>
+    </message>
+    <message>
+        <source>Choose another name, or say that it is replaced</source>
+        <translation>Choisissez un autre nom, ou dites qu&apos;il est remplacé</translation>
+    </message>
+    <message>
+        <source>show %1 points of the liver&apos;s surface, at least %2 are needed</source>
+        <translation>montrent %1 points de la surface du foie, il en faut au moins %2</translation>
+    </message>
+    <message>
+        <source>Draw a region on its surface, too</source>
+        <translation>Dessinez aussi une région sur sa surface</translation>
+    </message>
+    <message>
+        <source>meet nothing of the model: they lie elsewhere, or their normals point away</source>
+        <translation>ne rencontrent rien du modèle : ils sont ailleurs, ou leurs normales pointent à l&apos;opposé</translation>
+    </message>
+    <message>
+        <source>Give a start that is nearer, or the cloud without normals</source>
+        <translation>Donnez un départ plus proche, ou le nuage sans normales</translation>
+    </message>
+    <message>
+        <source>are no regular stack: %1 lies %2 mm from its place</source>
+        <translation>ne forment pas une pile régulière : %1 est à %2 mm de sa place</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6408,6 +6444,26 @@
         <source>%1 is no lesion of this model: what is said of its stiffness is left out.</source>
         <translation>%1 n&apos;est pas une lésion de ce modèle : ce qui est dit de sa raideur est omis.</translation>
     </message>
+    <message>
+        <source>The hepatic veins are up to %1 mm wide: they have grown on into the vena cava. Click the vena cava, too, and segment again.</source>
+        <translation>Les veines hépatiques ont jusqu&apos;à %1 mm de large : elles se sont étendues dans la veine cave. Cliquez aussi la veine cave et segmentez de nouveau.</translation>
+    </message>
+    <message>
+        <source>No vena cava was found at its seeds: what there was stays.</source>
+        <translation>Aucune veine cave n&apos;a été trouvée à ses points : ce qui existait reste.</translation>
+    </message>
+    <message>
+        <source>No gallbladder was found at its seeds: what there was stays.</source>
+        <translation>Aucune vésicule biliaire n&apos;a été trouvée à ses points : ce qui existait reste.</translation>
+    </message>
+    <message>
+        <source>The liver lies to the left of the vena cava: left and right may be swapped in the image.</source>
+        <translation>Le foie est à gauche de la veine cave : gauche et droite sont peut-être inversées dans l&apos;image.</translation>
+    </message>
+    <message>
+        <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
+        <translation>%1 va aussi loin qu&apos;un clic cherche son bord, et peut-être plus loin : dessinez son diamètre.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -6892,6 +6948,25 @@
     <message>
         <source>Labels still to be reviewed: %1.</source>
         <translation>Labels restant à vérifier : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>SaveName</name>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 existe déjà.</translation>
+    </message>
+    <message>
+        <source>Replacing it deletes what it holds.</source>
+        <translation>Le remplacer efface ce qu&apos;il contient.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
     </message>
 </context>
 <context>
@@ -11065,6 +11140,10 @@
         <source>Raw views, side by side, can be followed again. What was known of each picture is written beside.</source>
         <translation>Les vues brutes, côte à côte, peuvent être suivies de nouveau. Ce que l&apos;on savait de chaque image est écrit à côté.</translation>
     </message>
+    <message>
+        <source>The video has ended meanwhile: nothing is recorded.</source>
+        <translation>La vidéo s&apos;est terminée entre-temps : rien n&apos;est enregistré.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RecordingModel</name>
@@ -12101,6 +12180,10 @@ Mode %3 à %4 écarts types
     <message>
         <source>Address and port of PLUS or another server, and its devices of the left and the right picture</source>
         <translation>Adresse et port de PLUS ou d&apos;un autre serveur, et ses appareils de l&apos;image gauche et de l&apos;image droite</translation>
+    </message>
+    <message>
+        <source>Still as drawn on another frame: %1. Move or clear them.</source>
+        <translation>Encore comme dessinées sur une autre image : %1. Déplacez-les ou effacez-les.</translation>
     </message>
 </context>
 <context>

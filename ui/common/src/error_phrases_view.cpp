@@ -8,6 +8,9 @@ namespace glisson::ui {
 
 const std::vector<const char*>& view_problems() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "show %1 points of the liver's surface, at least %2 are needed"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "meet nothing of the model: they lie elsewhere, or their normals point away"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be followed: %1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is %1 x %2, the calibration's is %3 x %4"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is %1, the calibration's %2"),
@@ -108,6 +111,8 @@ const std::vector<const char*>& view_problems() {
 
 const std::vector<const char*>& view_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Draw a region on its surface, too"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give a start that is nearer, or the cloud without normals"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Register again, from more of the surface"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Register again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Register from the start"),

@@ -8,6 +8,7 @@ namespace glisson::ui {
 
 const std::vector<const char*>& volume_problems() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "are no regular stack: %1 lies %2 mm from its place"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds no slice"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "are shifted against each other across their normal"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "claims more pixels than a segmentation can mean"),

@@ -8,6 +8,8 @@ namespace glisson::ui {
 
 const std::vector<const char*>& work_problems() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "has changed since it was looked at"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is another case"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no click for or against the liver that the case does not have"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is locked"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 100 MB, more than any list needs"),
@@ -118,6 +120,8 @@ const std::vector<const char*>& work_problems() {
 
 const std::vector<const char*>& work_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Look at it as it is now, and say it again"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Choose another name, or say that it is replaced"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Add one, or leave --correct out"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Unlock it, or click another structure"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click on the branch that is to change"),

@@ -43,6 +43,13 @@ class Notes {
          tr("On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.")},
         {"islands_left", tr("No label was free for the smallest islands: %1 stayed as they were.")},
         {"portal_vein.not_found", tr("No portal vein was found at its seeds.")},
+        {"hepatic_veins.hold_cava", tr("The hepatic veins are up to %1 mm wide: they have grown on into the "
+                                       "vena cava. Click the vena cava, "
+                                       "too, and segment again.")},
+        {"vena_cava.not_found", tr("No vena cava was found at its seeds: what there was stays.")},
+        {"gallbladder.not_found", tr("No gallbladder was found at its seeds: what there was stays.")},
+        {"liver.perhaps_mirrored",
+         tr("The liver lies to the left of the vena cava: left and right may be swapped in the image.")},
         {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds.")},
         {"vessels.pieces_dropped",
          tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
@@ -247,6 +254,10 @@ class Notes {
               "diameter, or paint it.")
         .arg(lesion);
   }
+  static QString lesion_goes_on(const QString& lesion) {
+    return tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.")
+        .arg(lesion);
+  }
   static QString lesion_as_drawn(const QString& lesion) {
     return tr("%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it "
               "in the slices.")
@@ -301,6 +312,10 @@ QString note_text(std::string_view note) {
   if (code.endsWith(not_found))
     if (const QString structure = structure_named(code.chopped(not_found.size())); !structure.isEmpty())
       return Notes::lesion_not_found(structure);
+  const QString goes_on = QStringLiteral(".goes_on");
+  if (code.endsWith(goes_on))
+    if (const QString structure = structure_named(code.chopped(goes_on.size())); !structure.isEmpty())
+      return Notes::lesion_goes_on(structure);
   const QString as_drawn = QStringLiteral(".as_drawn");
   if (code.endsWith(as_drawn))
     if (const QString structure = structure_named(code.chopped(as_drawn.size())); !structure.isEmpty())
