@@ -9,6 +9,12 @@ Q_DECLARE_METATYPE(glisson::engine::Runner)
 
 namespace glisson::test {
 
+inline engine::Engine::Options options_of(engine::Runner runner) {
+  engine::Engine::Options options;
+  options.runner = runner;
+  return options;
+}
+
 /// Rows for what both runners promise.
 inline void both_runners() {
   using engine::Runner;

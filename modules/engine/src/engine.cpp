@@ -34,6 +34,7 @@ struct Engine::Impl final : LiveLanes {
   bool stopping = false;
   CommandId next_id = 1;
   std::uint64_t revision = 0;
+  std::uint64_t cases = 0;                   // that were replaced by another
   std::deque<std::shared_ptr<Job>> waiting;  // in the order of post()
   std::vector<std::shared_ptr<Job>> running;
   std::shared_ptr<const Snapshot> current;
@@ -53,14 +54,16 @@ struct Engine::Impl final : LiveLanes {
     changed.notify_all();
     if (wake_sent || !options.wake) return;
     wake_sent = true;
+    const std::function<void()> call = options.wake;  // the engine's end takes it away
     lock.unlock();
-    options.wake();
+    call();
     lock.lock();
   }
 
   void publish(CaseState state, std::string cause) {
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->revision = ++revision;
+    snapshot->case_number = cases;
     snapshot->cause = std::move(cause);
     snapshot->state = std::move(state);
     for (const Part part : all_parts())
@@ -119,6 +122,7 @@ struct Engine::Impl final : LiveLanes {
   void commit(const Job& job, const CaseState& base, Applied&& applied) {
     const CommandTraits& traits = job.traits();
     if (traits.writes.empty() && applied.state.path == base.path) return;  // nothing has changed
+    if (traits.replaces_case()) ++cases;
     CaseState state = current->state;
     state.path = applied.state.path != base.path ? applied.state.path : state.path;
     if (applied.keeps_stamps) {
@@ -136,6 +140,7 @@ struct Engine::Impl final : LiveLanes {
     {
       const std::scoped_lock lock(mutex);
       base = current->state;
+      if (!job->is_meant_for(cases)) job->cancel->request();
     }
     Outcome outcome = outcome_of(*job);
     const Stopwatch watch;
@@ -159,7 +164,9 @@ struct Engine::Impl final : LiveLanes {
     }
     std::unique_lock lock(mutex);
     if (evolving_of == job->id) put_evolving(0, nullptr);
-    if (outcome.status == Status::done && job->cancel->requested()) outcome.status = Status::cancelled;
+    const bool is_final = applied && applied->is_final;
+    if (outcome.status == Status::done && job->cancel->requested() && !is_final)
+      outcome.status = Status::cancelled;
     if (outcome.status == Status::done) {
       outcome.figures = std::move(applied->figures);
       outcome.notes = std::move(applied->notes);
@@ -401,8 +408,9 @@ Engine::~Engine() {
   if (impl_->work_thread.joinable()) impl_->work_thread.join();
 }
 
-CommandId Engine::post(Command command) {
-  const auto job = std::make_shared<Job>(Job{0, std::move(command), std::make_shared<CancelFlag>()});
+CommandId Engine::post(Command command, std::optional<std::uint64_t> case_number) {
+  const auto job =
+      std::make_shared<Job>(Job{0, std::move(command), std::make_shared<CancelFlag>(), case_number});
   {
     const std::scoped_lock lock(impl_->mutex);
     job->id = impl_->next_id++;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "glisson/engine/command.h"
 #include "glisson/engine/engine.h"
@@ -13,8 +15,12 @@ struct Job {
   CommandId id = 0;
   Command command;
   std::shared_ptr<CancelFlag> cancel;
+  std::optional<std::uint64_t> case_number = {};  ///< of the case that it is meant for; nothing: of any
 
   const CommandTraits& traits() const { return command.traits(); }
+  bool is_meant_for(std::uint64_t number) const {
+    return traits().replaces_case() || !case_number || *case_number == number;
+  }
   /// Whether the outcome depends on which of the two is done first.
   bool conflicts_with(const Job& other) const {
     return must_wait_for(other) || traits().writes.meets(other.traits().reads);

@@ -104,11 +104,20 @@ void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels
   put_review(state, review_after(review, step_to(state, before, std::move(labels), name, gesture)));
 }
 
+/// Not so of labels that were made of an image before this one.
+bool are_of_this_image(const CaseState& state) {
+  const auto& inputs = state.stamp(part::labels).made_from;
+  const auto image = inputs.find(part::image);
+  return image == inputs.end() || image->second == state.stamp(part::image).revision;
+}
+
 std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing::StepName& name) {
   const VolumeGrid& grid = labels.voxels.grid();
   const auto former = state[part::labels];
-  if (former && former->voxels.grid().same_as(grid)) return step_to(state, *former, std::move(labels), name);
-  // Steps on another grid lead nowhere, nor is there a way back to no labels at all.
+  if (former && former->voxels.grid().same_as(grid) && are_of_this_image(state))
+    return step_to(state, *former, std::move(labels), name);
+  // Steps on another grid lead nowhere, those on another image to labels that are not of this one, nor is
+  // there a way back to no labels at all.
   std::set<Label> touched = labels_touched(labels.voxels.changes_since(LabelVolume(grid)));
   put_labels(state, std::move(labels), editing::History());
   return touched;

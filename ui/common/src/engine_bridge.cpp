@@ -18,6 +18,16 @@ bool case_differs(const engine::Snapshot& a, const engine::Snapshot& b) {
   return false;
 }
 
+/// Whether it brings what it is about along, from a file: of several that are given together the next ones
+/// are meant for the case that the first one opens. All else is about what is on screen.
+bool comes_from_a_file(const engine::CommandTraits& traits) {
+  if (traits.notice != engine::Notice::files) return false;
+  const auto& parts = engine::all_parts();
+  return std::any_of(parts.begin(), parts.end(), [&](const engine::Part part) {
+    return traits.writes.has(part) && part.type().is_saved();
+  });
+}
+
 }  // namespace
 
 EngineBridge::EngineBridge(engine::Engine::Options options, QObject* parent) : QObject(parent) {
@@ -39,7 +49,9 @@ engine::CommandId EngineBridge::post(engine::Command command) {
   Task task;
   task.traits = command.traits();
   emit about_to_post(task.traits);
-  task.id = engine_->post(std::move(command));
+  std::optional<std::uint64_t> meant_for = snapshot_->case_number;
+  if (comes_from_a_file(task.traits)) meant_for.reset();
+  task.id = engine_->post(std::move(command), meant_for);
   tasks_.push_back(task);
   emit tasks_changed();
   return task.id;

@@ -397,8 +397,13 @@ void EditSession::drop_preview() {
   views_.set_preview(nullptr);
 }
 
+std::shared_ptr<const engine::EditPreview> EditSession::current_preview() const {
+  const engine::Snapshot& now = *engine_.snapshot();
+  return now.stage(part::preview) == engine::StageState::current ? now.state[part::preview] : nullptr;
+}
+
 bool EditSession::shows_preview() const {
-  const auto& preview = engine_.state()[part::preview];
+  const auto preview = current_preview();
   const auto edit = preview ? whole() : std::nullopt;
   return edit && preview->edit == *edit;
 }
@@ -417,7 +422,7 @@ void EditSession::show_preview() {
   if (const auto& moved = branch_->shown(); moved && moved->result.voxels_changed > 0)
     return views_.set_preview(std::shared_ptr<const LabelMap>(moved, &moved->result.labels));
   // The former one stays in sight while the settings move, until the next is there.
-  const auto& preview = engine_.state()[part::preview];
+  const auto preview = current_preview();
   const auto edit = preview ? whole() : std::nullopt;
   const bool same_tool = edit && &edit->tool.kind() == &preview->edit.tool.kind();
   views_.set_preview(same_tool ? std::shared_ptr<const LabelMap>(preview, &preview->result.labels) : nullptr);
@@ -451,15 +456,16 @@ void EditSession::escape() {
 }
 
 void EditSession::set_review(Label label, ReviewState state) {
-  engine_.post(engine::SetReview{label, state});
+  reviews_.insert(engine_.post(engine::SetReview{label, state, engine_.state()[part::labels]}));
 }
 
 void EditSession::take(const engine::Outcome& outcome) {
   const bool edit = edits_.erase(outcome.id) > 0, preview = outcome.id == previewing_;
+  const bool review = reviews_.erase(outcome.id) > 0;
   const bool in_history = undos_.erase(outcome.id) + redos_.erase(outcome.id) > 0;
   if (outcome.id == applying_) applying_.reset();
   if (preview) previewing_.reset();
-  if ((edit || preview) && outcome.status == engine::Status::failed) problem_ = outcome.error;
+  if ((edit || preview || review) && outcome.status == engine::Status::failed) problem_ = outcome.error;
   if ((edit || preview) && outcome.status == engine::Status::done) notes_ = outcome.notes;
   if (stroke_ && stroke_->sent.erase(outcome.id) > 0) {
     if (outcome.status == engine::Status::failed)
@@ -467,7 +473,7 @@ void EditSession::take(const engine::Outcome& outcome) {
     else if (stroke_->sent.empty())
       send_stroke();
   }
-  if (edit || preview || in_history) emit changed();
+  if (edit || preview || review || in_history) emit changed();
 }
 
 bool EditSession::shows_hounsfield() const {

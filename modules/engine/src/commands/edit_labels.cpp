@@ -24,7 +24,8 @@ Cancellable<Applied> EditLabels::apply(const CaseState& state, const RunContext&
   const LabelMap before = labels_or_none(state);
   const auto& preview = state[part::preview];
   std::optional<editing::Edited> edited;
-  if (preview && preview->base == state[part::labels] && preview->edit == edit)
+  const bool is_of_now = preview && stage_state(state, part::preview) == StageState::current;
+  if (is_of_now && preview->base == state[part::labels] && preview->edit == edit)
     edited = preview->result;
   else
     edited = editing::apply_edit(before, *state[part::image], edit, context);

@@ -80,6 +80,8 @@ struct Applied {
   std::function<void(LiveLanes&)> live = {};
   /// The state brings its own stamps (a case that was opened).
   bool keeps_stamps = false;
+  /// What it did outside of the case stands: who cancels it now comes too late.
+  bool is_final = false;
 };
 
 namespace detail {

@@ -54,7 +54,8 @@ using Event = std::variant<Progress, Outcome>;
 /// The case at one moment. Immutable; may be kept and read from any thread.
 struct Snapshot {
   std::uint64_t revision = 0;
-  std::string cause;  ///< code of the command that led to it; "frame" for the live lane
+  std::uint64_t case_number = 0;  ///< how many cases there have been before this one
+  std::string cause;              ///< code of the command that led to it; "frame" for the live lane
   CaseState state;
   std::map<Part, StageState> stages;  ///< of every part that is not absent
   StageState stage(Part part) const {
@@ -104,8 +105,12 @@ class Engine {
   /// Takes a command in; how it ends is told by its Outcome alone. Threaded: returns at once, and the command
   /// runs on one of the engine's threads. Inline: runs it, and all that waits before it, on the caller's
   /// thread before it returns; a post from within a command waits its turn.
+  ///
+  /// What a person did to the case that is on screen names it by its snapshot's `case_number`: where another
+  /// case has taken its place before the command begins, it ends as cancelled. A command that itself puts
+  /// another case in place (CommandTraits::replaces_case) is done all the same.
   /// @return the command's id, from 1 upwards.
-  CommandId post(Command command);
+  CommandId post(Command command, std::optional<std::uint64_t> case_number = {});
   /// Never lost: a command that waits ends as cancelled without starting; one that runs is told. Unknown or
   /// finished ids are ignored.
   void cancel(CommandId id);

@@ -27,6 +27,8 @@ class EngineBridge : public QObject {
   explicit EngineBridge(engine::Engine::Options options = {}, QObject* parent = nullptr);
   ~EngineBridge() override;
 
+  /// What a person did to the case that snapshot() shows: it ends as cancelled where another one takes its
+  /// place first (engine::Engine::post). Files are read into whatever case there is by then.
   engine::CommandId post(engine::Command command);
   void cancel(engine::CommandId id);
   /// Newest wins. May be called from any thread.

@@ -87,6 +87,8 @@ class EditSession : public QObject {
   void changed();
 
  private:
+  /// Null: there is none, or it is of a former image.
+  std::shared_ptr<const engine::EditPreview> current_preview() const;
   std::optional<editing::Edit> whole() const;
   void show_hand();
   void show_pointer();
@@ -144,6 +146,7 @@ class EditSession : public QObject {
   std::vector<VolumeChange> volume_changes_;   ///< of measured_
   std::set<engine::CommandId> edits_;          ///< that are not done yet
   std::set<engine::CommandId> undos_, redos_;  ///< the same
+  std::set<engine::CommandId> reviews_;        ///< the same
   std::string problem_;
   std::vector<std::string> notes_;
 };
