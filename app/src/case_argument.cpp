@@ -19,7 +19,7 @@ void open_case(const Arguments& arguments, Session& session) {
 
 void save_case(const Arguments& arguments, Session& session) {
   const std::filesystem::path wanted = arguments.required_path("case");
-  session.post(engine::SaveCase{wanted});
+  session.post(engine::SaveCase{wanted, true});
   const std::filesystem::path& saved = session.state().path;
   if (saved != wanted)
     throw FileError(wanted.string() +

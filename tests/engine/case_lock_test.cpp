@@ -19,6 +19,7 @@
 #include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/script.h"
+#include "runners.h"
 #include "seeded_case.h"
 
 using namespace glisson;
@@ -101,6 +102,9 @@ class CaseLockTest : public QObject {
   void ClosingLetsGo();
   void TheSameCaseThroughALinkIsTheSame();
   void ALockIsNoWayToAnotherFile();
+  void ALockThatCannotBeWrittenNamesItsOwner();
+  void AnotherCaseIsReplacedOnlyWhenSaid();
+  void ASaveThatIsCancelledTooLateIsDone();
 
  private:
   fs::path path() const { return folder_->path() / "a.glisson"; }
@@ -248,6 +252,76 @@ void CaseLockTest::ALockIsNoWayToAnotherFile() {
   Script script{RunContext()};
   QVERIFY(!refusal(script, OpenCase{path(), Access::write}).empty());
   QCOMPARE(read_file(folder_->path() / "precious.txt"), std::string("precious"));
+}
+
+/// As a person who may write the folder, but not the lock of another one.
+class AsAnother {
+ public:
+  explicit AsAnother(const fs::path& lock) : is_root_(::geteuid() == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (is_root_)
+      (void)!::seteuid(kNobody);
+    else
+      fs::permissions(lock, fs::perms::owner_read | fs::perms::group_read);
+  }
+  ~AsAnother() {
+    if (is_root_) (void)!::seteuid(0);
+  }
+
+ private:
+  bool is_root_;
+};
+
+void CaseLockTest::ALockThatCannotBeWrittenNamesItsOwner() {
+  const QTemporaryDir folder;  // below which others may come
+  const fs::path shared = folder.path().toStdString();
+  fs::permissions(shared, fs::perms::all);
+  std::optional<CaseOwner> owner;
+  auto held = CaseLock::take(shared / "a.glisson", owner);
+  QVERIFY(held && !owner);
+  {
+    const AsAnother person(lock_file_of(shared / "a.glisson"));
+    QVERIFY(!CaseLock::take(shared / "a.glisson", owner));
+    QVERIFY(owner);
+    QCOMPARE(owner->process, static_cast<long>(::getpid()));
+    QVERIFY(!owner->host.empty());
+  }
+  // One that was left behind is made anew.
+  const std::string written = read_file(lock_file_of(shared / "a.glisson"));
+  held.reset();
+  write_file_atomically(lock_file_of(shared / "a.glisson"), written);
+  const AsAnother person(lock_file_of(shared / "a.glisson"));
+  QVERIFY(CaseLock::take(shared / "a.glisson", owner) && !owner);
+}
+
+void CaseLockTest::AnotherCaseIsReplacedOnlyWhenSaid() {
+  Script script{RunContext()};
+  script.run(seeds(0.2));
+  QVERIFY(says(refusal(script, SaveCase{path()}), "is another case"));
+  QCOMPARE(seed_on_disk(path()), 0.1);
+  QVERIFY(script.run(SaveCase{path(), true})->notes.empty());
+  QCOMPARE(seed_on_disk(path()), 0.2);
+  script.run(seeds(0.3));
+  script.run(SaveCase{path()});  // its own by now
+  QCOMPARE(seed_on_disk(path()), 0.3);
+}
+
+void CaseLockTest::ASaveThatIsCancelledTooLateIsDone() {
+  Engine::Options options = test::options_of(Runner::inline_);
+  Engine* made = nullptr;
+  options.progress = [&](const Progress& progress) {
+    if (progress.stage == "case.saved") made->cancel(progress.id);
+  };
+  Engine engine(std::move(options));
+  made = &engine;
+  const fs::path place = folder_->path() / "late.glisson";
+  engine.wait(engine.post(seeds(0.2)));
+  QCOMPARE(engine.wait(engine.post(SaveCase{place})).status, Status::done);
+  engine.wait(engine.post(seeds(0.3)));
+  const Outcome again = engine.wait(engine.post(SaveCase{}));
+  QCOMPARE(again.status, Status::done);
+  QVERIFY(again.notes.empty());  // nobody else has saved there
+  QCOMPARE(seed_on_disk(place), 0.3);
 }
 
 QTEST_APPLESS_MAIN(CaseLockTest)

@@ -44,6 +44,7 @@ class RecoveryTest : public QObject {
   void WhatOthersSavedMeanwhileStays();
   void RecoveredACaseIsHeldAgain();
   void WhatIsOpenHereIsRecoveredForWriting();
+  void ACopyNeverStandsUnderAnotherCasesName();
 
  private:
   fs::path root() const { return folder_->path() / "recovery"; }
@@ -188,6 +189,24 @@ void RecoveryTest::WhatIsOpenHereIsRecoveredForWriting() {
   QCOMPARE(seed_on_disk(path()), 0.3);
   Script other{RunContext()};
   QVERIFY_EXCEPTION_THROWN(other.run(OpenCase{path(), OpenCase::Access::write}), Error);
+}
+
+void RecoveryTest::ACopyNeverStandsUnderAnotherCasesName() {
+  const RecoveryFolder own(root());
+  Script one{RunContext()};
+  one.run(seeds(0.1));
+  one.run(SaveCase{path()});
+  one.run(KeepCopy{own.path()});
+  QVERIFY(fs::exists(own.path() / "copy.json"));
+  // The next patient's copy is written, and the program ends before it has said whose it is.
+  const auto end = [](double, std::string_view stage) {
+    if (stage == "case.saved") throw FileError("the end");
+  };
+  Script other{RunContext(end, nullptr, 1)};
+  other.run(seeds(0.9));
+  QVERIFY_EXCEPTION_THROWN(other.run(KeepCopy{own.path()}), Error);
+  QCOMPARE(seed_on_disk(own.path() / "copy.glisson"), 0.9);
+  QVERIFY(!fs::exists(own.path() / "copy.json"));
 }
 
 QTEST_APPLESS_MAIN(RecoveryTest)

@@ -54,6 +54,7 @@ Stamp read_stamp(const fs::path& folder, const json& entry, Part of) {
   constexpr double kMost = 9007199254740992.0;  // doubles count so far
   Stamp stamp;
   stamp.revision = ranged<std::uint64_t>(folder, entry, "revision", 0.0, kMost);
+  if (of.type().spec().stands_alone) return stamp;  // earlier programs wrote from what
   for (const Part part : all_parts()) {
     const json& inputs = entry.at("made_from");
     const std::string code(part.code());
@@ -190,6 +191,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   write_json(fresh / "case.json", *document);
   context.progress(0.85, "case.verify");
   verify(fresh, path, state, taken_over);
+  flush_tree(fresh);  // takes long; what follows cannot be taken back
   if (context.cancelled()) return false;
   SavedImage now;
   now.remember(state, fresh, path);

@@ -118,7 +118,11 @@ std::shared_ptr<const CaseLock> CaseLock::take(const fs::path& folder, std::opti
   const fs::path file = lock_file_of(folder);
   const CaseOwner here = this_process();
   for (int trial = 0; trial < kTrials; ++trial) {
-    Claim claim(::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644));
+    int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
+    // Another person's lock can be read, and so be seen to be held, where it cannot be written.
+    const bool is_anothers = descriptor < 0 && errno == EACCES;
+    if (is_anothers) descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    Claim claim(descriptor);
     owner = CaseOwner{};
     if (claim.descriptor() < 0) return nullptr;
     const bool held = claim.take();
@@ -128,6 +132,12 @@ std::shared_ptr<const CaseLock> CaseLock::take(const fs::path& folder, std::opti
     if (writer) owner = writer;
     if (!held && kernel_knows) return nullptr;
     if (writer && may_be_alive(*writer, here, kernel_knows)) return nullptr;
+    if (is_anothers) {  // left behind: in the folder, which is everybody's, it is made anew
+      std::error_code failure;
+      owner = CaseOwner{};
+      if (!fs::remove(file, failure)) return nullptr;
+      continue;
+    }
     if (!write_owner(claim.descriptor(), here)) return nullptr;
     owner.reset();
     return std::shared_ptr<const CaseLock>(new CaseLock(folder, file, std::move(claim)));

@@ -375,7 +375,7 @@ class DemoRun {
     if (pictures_.model) keep_picture("model", pictures_.model(state()));
     keep_picture("left", state()[part::frame]->frame.left);
     result_.case_folder = folder_ / "patient.glisson";
-    post(engine::SaveCase{result_.case_folder});
+    post(engine::SaveCase{result_.case_folder, true});
     result_.report = folder_ / "report.html";
     write_demo_report(
         result_.report,

@@ -30,6 +30,7 @@
 #include "glisson/engine/surface_export.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/save_name.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/model/model_panel.h"
@@ -279,21 +280,25 @@ std::optional<std::filesystem::path> MainWindow::place_to_save() {
 }
 
 std::optional<std::filesystem::path> MainWindow::ask_place() {
-  QString path = QFileDialog::getSaveFileName(this, tr("Save the case as a folder"),
-                                              QStringLiteral("patient.glisson"), tr("Cases (*.glisson)"));
+  const QString path = ask_where_to_save(
+      this, tr("Save the case as a folder"), QStringLiteral("patient.glisson"), tr("Cases (*.glisson)"),
+      {QStringLiteral(".glisson")}, QString::fromStdString(engine_.state().path.string()));
   if (path.isEmpty()) return {};
-  if (!path.endsWith(QStringLiteral(".glisson"))) path += QStringLiteral(".glisson");
   return path.toStdString();
 }
 
 void MainWindow::save() {
   if (const auto path = place_to_save())
-    running_->before(RunningWork::saving([this, path] { engine_.post(engine::SaveCase{*path}); }));
+    running_->before(RunningWork::saving([this, path] {
+      engine_.post(engine::SaveCase{*path, !path->empty()});
+    }));
 }
 
 void MainWindow::save_as() {
   if (const auto path = ask_place())
-    running_->before(RunningWork::saving([this, path] { engine_.post(engine::SaveCase{*path}); }));
+    running_->before(RunningWork::saving([this, path] {
+      engine_.post(engine::SaveCase{*path, !path->empty()});
+    }));
 }
 
 void MainWindow::export_labels() {
@@ -407,7 +412,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   if (answer != QMessageBox::Save) return;
   if (const auto path = place_to_save())
-    closing_save_ = engine_.post(engine::SaveCase{*path});  // closes when the outcome comes
+    closing_save_ = engine_.post(engine::SaveCase{*path, !path->empty()});  // closes when the outcome comes
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -17,6 +17,7 @@
 #include "glisson/core/error.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/save_name.h"
 
 namespace glisson::ui {
 
@@ -114,13 +115,11 @@ void SourceDialog::choose(QLineEdit* line) {
 
 void SourceDialog::ask_where() {
   const QFileInfo source(left_->text());
-  QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the description"),
-                                   source.dir().filePath(source.completeBaseName() + QStringLiteral(".json")),
-                                   tr("Stereo source (*.json)"));
-  if (file.isEmpty()) return;
-  if (!file.endsWith(QStringLiteral(".json"))) file += QStringLiteral(".json");
-  save_as(file);
+  const QString file =
+      ask_where_to_save(this, tr("Save the description"),
+                        source.dir().filePath(source.completeBaseName() + QStringLiteral(".json")),
+                        tr("Stereo source (*.json)"), {QStringLiteral(".json")});
+  if (!file.isEmpty()) save_as(file);
 }
 
 void SourceDialog::show_state() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the panel's pictures come from: the dialogs.
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -14,6 +15,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/source.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/save_name.h"
 #include "glisson/ui/stereo/calibration_dialog.h"
 #include "glisson/ui/stereo/source_dialog.h"
 #include "glisson/ui/stereo/stereo_panel.h"
@@ -57,10 +59,10 @@ void StereoPanel::calibrate_from_boards() {
 
 void StereoPanel::save_calibration() {
   const auto rig = engine().state()[part::rig];
-  QString path = QFileDialog::getSaveFileName(
-      this, tr("Save the calibration"), QStringLiteral("calibration.yaml"), tr("OpenCV YAML (*.yml *.yaml)"));
+  const QString path =
+      ask_where_to_save(this, tr("Save the calibration"), QStringLiteral("calibration.yaml"),
+                        tr("OpenCV YAML (*.yml *.yaml)"), {QStringLiteral(".yaml"), QStringLiteral(".yml")});
   if (path.isEmpty() || !rig) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".yaml");
   try {
     stereo::write_calibration(path.toStdString(), *rig);
   } catch (const Error& error) {

@@ -10,6 +10,21 @@
 #include "glisson/engine/parts/keeping.h"
 
 namespace glisson::engine {
+namespace {
+
+/// The former copy is none from now on where it is of another case: the new one must never stand under its
+/// name.
+void part_from_former(const std::filesystem::path& said, const std::string& of) {
+  try {
+    if (read_json(said).at("of") == of) return;
+  } catch (const std::exception&) {  // there is none, or none that could be offered
+  }
+  std::error_code ignored;
+  std::filesystem::remove(said, ignored);
+}
+
+}  // namespace
+
 CommandTraits KeepCopy::traits() const {
   CommandTraits traits{.code = "keep_copy", .notice = Notice::quiet};
   for (const Part part : all_parts())
@@ -22,8 +37,10 @@ Cancellable<Applied> KeepCopy::apply(const CaseState& state, const RunContext& c
   SavedImage none;
   SavedImage& known = saved ? *saved : none;
   if (keeping && !known.knows(state)) known = keeping->image;
+  const std::string of = state.path.empty() ? "" : case_place(state.path).string();
+  part_from_former(folder / kSaidName, of);
   if (!save_case(folder / kCopyName, state, context, known)) return {};
-  write_json(folder / kSaidName, {{"of", state.path.empty() ? "" : case_place(state.path).string()},
+  write_json(folder / kSaidName, {{"of", of},
                                   {"edition", keeping ? keeping->edition : std::string()},
                                   {"saved", local_time_text("%Y-%m-%d %H:%M")}});
   return Applied{state};

@@ -33,12 +33,16 @@ void hold_or_tell(const fs::path& told, Keeping& keeping, const Keeping* before)
 
 /// Where the case goes, held: beside the wanted place where others have saved there since. That is theirs,
 /// and both are kept.
-std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before) {
+std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before, bool replaces) {
   auto keeping = std::make_shared<Keeping>();
   keeping->folder = case_place(wanted);
+  const bool is_own = before != nullptr && before->folder == keeping->folder;
   hold_or_tell(wanted, *keeping, before);
-  const bool is_newer = before != nullptr && before->folder == keeping->folder &&
-                        fs::exists(keeping->folder) && edition_on_disk(keeping->folder) != before->edition;
+  if (!is_own && !replaces && holds_case(keeping->folder))
+    throw InputError(wanted.string(), "", "is another case",
+                     "Choose another name, or say that it is replaced");
+  const bool is_newer =
+      is_own && fs::exists(keeping->folder) && edition_on_disk(keeping->folder) != before->edition;
   if (!is_newer) return keeping;
   keeping->folder = unused_beside(keeping->folder);
   hold_or_tell(keeping->folder, *keeping, nullptr);
@@ -61,7 +65,7 @@ Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& c
     throw InputError("case", "path", "the case has never been saved",
                      "Choose a folder NAME.glisson to save it to");
   Applied applied{state};
-  const auto keeping = place_of(place, state[part::keeping].get());
+  const auto keeping = place_of(place, state[part::keeping].get(), replaces);
   if (keeping->folder != case_place(place)) {
     place = keeping->folder;
     applied.notes.push_back("case.saved_beside " + place.string());
@@ -71,6 +75,7 @@ Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& c
   keeping->edition = edition_on_disk(keeping->folder);
   applied.state.path = place;
   applied.state[part::keeping] = keeping;
+  applied.is_final = true;
   applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(state)});
   return applied;
 }
