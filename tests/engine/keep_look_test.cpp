@@ -10,12 +10,16 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/forget_looks.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "runners.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -43,6 +47,7 @@ class KeepLookTest : public QObject {
   void LooksComeBackWithTheCase();
   void AWrongCountIsNamed();
   void RegistrationJoinsThemAndIsStaleWithoutThem();
+  void ALookThatWasKeptIsNotOldWhenTheNextCloudComes();
 };
 
 void KeepLookTest::ALookIsKeptOnceAndIsNotJoinedWithItself() {
@@ -149,6 +154,32 @@ void KeepLookTest::RegistrationJoinsThemAndIsStaleWithoutThem() {
   QVERIFY(part::registration.spec().made_of.end() != std::find(part::registration.spec().made_of.begin(),
                                                                part::registration.spec().made_of.end(),
                                                                Part(part::earlier_looks)));
+}
+
+void KeepLookTest::ALookThatWasKeptIsNotOldWhenTheNextCloudComes() {
+  const QTemporaryDir folder;
+  const auto write = [&](const char* name, unsigned seed) {
+    const std::filesystem::path file = folder.filePath(name).toStdString();
+    write_cloud(file, *look(seed));
+    return file;
+  };
+  Engine engine(test::options_of(Runner::inline_));
+  const auto done = [&](const Command& command) { return engine.wait(engine.post(command)).status; };
+  QCOMPARE(done(ImportCloud{write("first.ply", 1)}), Status::done);
+  QCOMPARE(done(KeepLook{}), Status::done);
+  QCOMPARE(done(ImportCloud{write("second.ply", 2)}), Status::done);
+  QCOMPARE(engine.snapshot()->stage(part::earlier_looks), StageState::current);
+  // As a case tells that an earlier program has written.
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  QCOMPARE(done(SaveCase{path}), Status::done);
+  std::string text = read_file(path / "case.json");
+  const std::size_t entry = text.find("\"earlier_looks\": {");
+  const std::string none = "\"made_from\": {}";
+  QVERIFY(entry != std::string::npos);
+  text.replace(text.find(none, entry), none.size(), "\"made_from\": {\"cloud\": 1}");
+  write_file_atomically(path / "case.json", text);
+  QCOMPARE(done(OpenCase{path}), Status::done);
+  QCOMPARE(engine.snapshot()->stage(part::earlier_looks), StageState::current);
 }
 
 QTEST_GUILESS_MAIN(KeepLookTest)

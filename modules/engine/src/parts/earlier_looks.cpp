@@ -55,7 +55,8 @@ const PartOf<EarlierLooks> part::earlier_looks{{.code = "earlier_looks",
                                                 .files = {"looks/*.ply"},
                                                 .save = save,
                                                 .load = load,
-                                                .same = same}};
+                                                .same = same,
+                                                .stands_alone = true}};
 
 std::vector<std::shared_ptr<const LabelledCloud>> looks_to_join(const CaseState& state) {
   std::vector<std::shared_ptr<const LabelledCloud>> looks;
