@@ -247,6 +247,12 @@ void ElasticTest::UnusableInputIsRefused() {
   few.normals.conservativeResize(5, 3);
   few.features.resize(5);
   QVERIFY_EXCEPTION_THROWN(register_elastic(model_, few, phantom::view(), {}, RunContext()), InputError);
+  // Without a single pair nothing is known: that is no residual of zero.
+  LabelledCloud turned = cloud;
+  turned.normals = -turned.normals;
+  turned.features.clear();  // landmarks are found without normals
+  QVERIFY_EXCEPTION_THROWN(register_elastic(model_, turned, phantom::view(), brief(), RunContext()),
+                           InputError);
 }
 
 QTEST_APPLESS_MAIN(ElasticTest)

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
 
 #include "glisson/core/error.h"
@@ -26,6 +27,7 @@ class PairsTest : public QObject {
   void DenserCloudDoesNotWeighMore();
   void NotchWeighsByCount();
   void LargeCloudIsThinnedAndKeepsItsWeight();
+  void ThinningKeepsRareLandmarks();
   void EstimatedNormalsFaceTheCamera();
   void UnusableCloudsAreRefused();
   void UnusableOptionsAreRefused();
@@ -236,9 +238,39 @@ void PairsTest::LargeCloudIsThinnedAndKeepsItsWeight() {
   CloudOptions few;
   few.maximum_points = 300;
   const PreparedCloud thinned = prepare_cloud(cloud, few), whole = prepare_cloud(cloud, {});
-  QCOMPARE(thinned.cloud.size(), 300);
+  QVERIFY(thinned.cloud.size() >= 300 && thinned.cloud.size() <= 310);  // and a few points of landmarks
   const double ratio = total_weight(thinned, Feature::surface) / total_weight(whole, Feature::surface);
   QVERIFY2(ratio > 0.8 && ratio < 1.3, qPrintable(QString::number(ratio)));
+}
+
+void PairsTest::ThinningKeepsRareLandmarks() {
+  // Thousands of points of the surface, one after the other, and few of the landmarks at one place of the
+  // list.
+  LabelledCloud cloud;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  for (int i = 0; i < 9000; ++i) {
+    cloud.features.push_back(i >= 4003 && i < 4011   ? Feature::umbilical_notch
+                             : i >= 6002 && i < 6005 ? Feature::anterior_margin
+                                                     : Feature::surface);
+    cloud.looks.push_back(i < 4007 ? 0 : 1);
+  }
+  cloud.points.resize(9000, 3);
+  for (double& coordinate : cloud.points.reshaped()) coordinate = place(random);
+  cloud.eyes = Points::Zero(2, 3);
+  CloudOptions few;
+  few.maximum_points = 500;
+  const PreparedCloud thinned = prepare_cloud(cloud, few);
+  const auto count = [&](Feature feature, int look) {
+    int found = 0;
+    for (int i = 0; i < thinned.cloud.size(); ++i)
+      found += thinned.cloud.feature(i) == feature && thinned.cloud.look(i) == look;
+    return found;
+  };
+  QCOMPARE(count(Feature::umbilical_notch, 0), 4);
+  QCOMPARE(count(Feature::umbilical_notch, 1), 4);
+  QCOMPARE(count(Feature::anterior_margin, 1), 3);
+  QVERIFY(thinned.cloud.size() <= 515);
 }
 
 void PairsTest::EstimatedNormalsFaceTheCamera() {

@@ -64,6 +64,7 @@ struct Pulled {
 class RegisterModelTest : public QObject {
   Q_OBJECT
  private slots:
+  void LandmarksAloneAreRefused();
   void RestsOnSimulatedOperations();
   void KnownOperationsAreTakenWhereTheyAreThoseAskedFor();
   void WithoutOperationsItIsElasticityFromTheStart();
@@ -390,6 +391,17 @@ void RegisterModelTest::CancelEndsTheControlBesideTheRest() {
   QVERIFY(!register_and_examine(model_, cloud_, options, context));
   QVERIFY(cancel->requested());
   QVERIFY2(told_after < 20, qPrintable(QString::number(told_after)));  // it did not go on to the end
+}
+
+void RegisterModelTest::LandmarksAloneAreRefused() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  LabelledCloud cloud = phantom::patch(model, phantom::view().apply(model.mesh.vertices), {});
+  cloud.features.assign(static_cast<std::size_t>(cloud.size()), Feature::anterior_margin);
+  for (const Method method : {Method::automatic, Method::springs, Method::forces}) {
+    RegisterOptions options = brief();
+    options.method = method;
+    QVERIFY_EXCEPTION_THROWN(register_model(model, cloud, options, RunContext()), InputError);
+  }
 }
 
 QTEST_APPLESS_MAIN(RegisterModelTest)

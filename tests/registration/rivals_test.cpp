@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other places where the organ may be: which are told, and what choosing one does.
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
 #include "phantom.h"
@@ -39,6 +41,7 @@ class RivalsTest : public QObject {
   void AtMostThreeAreToldAndNoneOutOfQuestion();
   void TheChosenPlaceExplainsItsPoints();
   void ChosenTwiceTheFormerPlaceIsBack();
+  void AChosenPlaceIsDoubtedByItsOwnFit();
   void WhatWasRefusedStaysRefused();
   void ThereMustBeSuchAPlace();
 };
@@ -115,6 +118,19 @@ void RivalsTest::ChosenTwiceTheFormerPlaceIsBack() {
   QVERIFY(std::abs(back.rivals[0].probability - 0.2) < 1e-12);
   QCOMPARE(back.doubts.back(), std::string("rival_chosen 80"));
   QCOMPARE(back.doubts.size(), std::size_t{2});
+}
+
+void RivalsTest::AChosenPlaceIsDoubtedByItsOwnFit() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  const Registration registration = with_rival(model, 30.0);
+  const LabelledCloud cloud = phantom::patch(model, registration.nodes_in_camera, {});
+  const auto doubts = [](const Registration& chosen, const char* code) {
+    return std::count(chosen.doubts.begin(), chosen.doubts.end(), code);
+  };
+  const Registration far = choose_rival(registration, 0, model, cloud);
+  QVERIFY(far.residual > kLargeResidual);
+  QCOMPARE(doubts(far, "residual_large"), 1L);
+  QCOMPARE(doubts(choose_rival(far, 0, model, cloud), "residual_large"), 0L);
 }
 
 void RivalsTest::WhatWasRefusedStaysRefused() {

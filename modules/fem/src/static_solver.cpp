@@ -40,16 +40,17 @@ class StaticSolve {
     check_loads(model_.impl(), loads);
     if (!holds(loads, options_))
       throw NumericalError("Nothing holds the model in the static solve; fix nodes or attach springs to it.");
-    double energy = model_.energy(start);
+    double energy = model_.energy(start), shown = 0.0;
     external_ = external_force(start, loads);
     for (; summary.iterations < options_.max_iterations; ++summary.iterations) {
       if (context.cancelled()) return std::nullopt;
       const Eigen::VectorXd residual = left_over(summary.positions);
       judge_exact(residual.norm());
       summary.residual = residual.norm() / reference(summary.positions);
-      context.progress(progress(summary.residual), "fem.static");
       summary.termination = Termination::diverged;
       if (!std::isfinite(summary.residual)) return summary;
+      shown = std::max(shown, progress(summary.residual));  // an exact step may raise what is left over
+      context.progress(shown, "fem.static");
       if (summary.residual <= options_.tolerance) {
         summary.termination = Termination::converged;
         return summary;

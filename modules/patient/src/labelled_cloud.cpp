@@ -117,6 +117,20 @@ double spread(const Points& points) {
 
 }  // namespace
 
+LabelledCloud rows_of(const LabelledCloud& cloud, const std::vector<int>& rows) {
+  LabelledCloud part;
+  part.points = cloud.points(rows, Eigen::all);
+  if (cloud.normals.rows() > 0) part.normals = cloud.normals(rows, Eigen::all);
+  part.eyes = cloud.eyes;
+  for (const int i : rows) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!cloud.features.empty()) part.features.push_back(cloud.features[at]);
+    if (!cloud.sigma.empty()) part.sigma.push_back(cloud.sigma[at]);
+    if (!cloud.looks.empty()) part.looks.push_back(cloud.looks[at]);
+  }
+  return part;
+}
+
 LabelledCloud read_cloud(const std::filesystem::path& path, LengthUnit unit) {
   for (const PlyElement& element : read_ply(path))
     if (element.name == "vertex") return cloud_of(path.string(), element, metres_per(unit));

@@ -21,20 +21,6 @@ std::vector<int> without_repeated(const LabelledCloud& cloud, std::vector<int> o
   return order;
 }
 
-LabelledCloud chosen(const LabelledCloud& cloud, const std::vector<int>& rows) {
-  LabelledCloud part;
-  part.points = cloud.points(rows, Eigen::all);
-  if (cloud.normals.rows() > 0) part.normals = cloud.normals(rows, Eigen::all);
-  part.eyes = cloud.eyes;
-  for (const int i : rows) {
-    const auto at = static_cast<std::size_t>(i);
-    if (!cloud.features.empty()) part.features.push_back(cloud.features[at]);
-    if (!cloud.sigma.empty()) part.sigma.push_back(cloud.sigma[at]);
-    if (!cloud.looks.empty()) part.looks.push_back(cloud.looks[at]);
-  }
-  return part;
-}
-
 }  // namespace
 
 std::vector<std::string> CloudFaults::notes() const {
@@ -59,7 +45,7 @@ LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFau
   if (from_camera)
     faults.behind += static_cast<int>(
         std::count_if(rows.begin(), rows.end(), [&](int i) { return cloud.points(i, 2) < 0.0; }));
-  return rows.size() < all ? chosen(cloud, rows) : cloud;
+  return rows.size() < all ? rows_of(cloud, rows) : cloud;
 }
 
 }  // namespace glisson

@@ -66,7 +66,15 @@ class ElasticRun {
     pair();
   }
 
+  /// @throws InputError hardly anything of the cloud finds a place on the model: there is nothing to follow.
   Cancellable<Registration> run(const RunContext& context) {
+    constexpr double kLeastMet = 0.1;  // of the points
+    const auto met = std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& pair) { return pair.kept; });
+    if (static_cast<double>(met) <
+        std::max<double>(kMinimumPoints, kLeastMet * static_cast<double>(pairs_.size())))
+      throw InputError("cloud", "points",
+                       "meet nothing of the model: they lie elsewhere, or their normals point away",
+                       "Give a start that is nearer, or the cloud without normals");
     const int last = std::max(options_.r_margin, options_.r_surface) + 1;
     const int stages = last + (options_.final_stiffening > 1.0 ? 1 : 0);
     for (int n = 0; n < stages; ++n) {
@@ -157,7 +165,7 @@ class ElasticRun {
     if (notch == 0 || !surface_.has(Feature::umbilical_notch)) doubts.emplace_back("no_notch");
     if (registration_.seen_share < kLittleSeen) doubts.emplace_back("little_surface_seen");
     if (kept < 0.8 * static_cast<double>(pairs_.size())) doubts.emplace_back("many_outliers");
-    if (registration_.residual > 5e-3) doubts.emplace_back("residual_large");
+    if (registration_.residual > kLargeResidual) doubts.emplace_back("residual_large");
     if (inverted_ > 0) doubts.emplace_back("inverted_elements");
     if (termination == Termination::diverged) doubts.emplace_back("mechanics_failed");
     return registration_;

@@ -52,6 +52,7 @@ ForcePatch ForceSurface::patch(Eigen::Index centre, double radius) const {
 
 std::vector<ForcePatch> ForceSurface::patches(const Points& seen, const PatchGrid& grid) const {
   std::vector<Eigen::Index> candidates;
+  if (seen.rows() == 0) return {};
   for (Eigen::Index i = 0; i < positions_.rows(); ++i)
     if ((seen.rowwise() - positions_.row(i)).rowwise().squaredNorm().minCoeff() < grid.reach * grid.reach)
       candidates.push_back(i);

@@ -4,7 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
@@ -12,7 +14,6 @@
 namespace glisson::registration {
 namespace {
 
-constexpr int kMinimumPoints = 10;
 /// The notch pulls like what 1 cm2 holds at the paper's density, however many points were labelled.
 constexpr double kNotchPoints = 3.9;
 
@@ -36,22 +37,31 @@ void check(const LabelledCloud& cloud) {
     throw InputError("cloud", "sigma", "there are not as many as points", "Give one a point, or none");
 }
 
-/// Evenly in the cloud's own order, which tells nothing of place: features stay in proportion.
-LabelledCloud thin(const LabelledCloud& cloud, int maximum) {
-  if (cloud.size() <= maximum) return cloud;
-  LabelledCloud thinned;
-  thinned.points.resize(maximum, 3);
-  if (cloud.normals.rows() > 0) thinned.normals.resize(maximum, 3);
-  thinned.eyes = cloud.eyes;
-  for (int k = 0; k < maximum; ++k) {
-    const auto i = static_cast<int>(static_cast<long>(k) * cloud.size() / maximum);
-    thinned.points.row(k) = cloud.points.row(i);
-    if (cloud.normals.rows() > 0) thinned.normals.row(k) = cloud.normals.row(i);
-    if (!cloud.features.empty()) thinned.features.push_back(cloud.features[static_cast<std::size_t>(i)]);
-    if (!cloud.sigma.empty()) thinned.sigma.push_back(cloud.sigma[static_cast<std::size_t>(i)]);
-    if (!cloud.looks.empty()) thinned.looks.push_back(cloud.looks[static_cast<std::size_t>(i)]);
+/// Every so many-th of `count`, `wanted` in all.
+int spread(int k, int count, int wanted) { return static_cast<int>(static_cast<long>(k) * count / wanted); }
+
+/// Evenly in the cloud's own order, which tells nothing of place: features stay in proportion. Of a landmark
+/// with few points these stay, look by look: without them a step would not know of it.
+std::vector<int> thinned_rows(const LabelledCloud& cloud, int maximum) {
+  constexpr int kOfLandmark = 5;  // as many as tell a margin that lies elsewhere
+  std::vector<int> rows;
+  for (int k = 0; k < maximum; ++k) rows.push_back(spread(k, cloud.size(), maximum));
+  std::map<std::pair<Feature, int>, std::pair<std::vector<int>, int>>
+      landmarks;  // all, and how many are taken
+  const auto of = [&](int i) -> auto& { return landmarks[{cloud.feature(i), cloud.look(i)}]; };
+  for (int i = 0; i < cloud.size(); ++i)
+    if (cloud.feature(i) != Feature::surface) of(i).first.push_back(i);
+  for (const int i : rows)
+    if (cloud.feature(i) != Feature::surface) ++of(i).second;
+  for (const auto& [key, found] : landmarks) {
+    const auto& [all, taken] = found;
+    const int count = static_cast<int>(all.size()), wanted = std::min(count, kOfLandmark);
+    for (int k = 0; taken < wanted && k < wanted; ++k)
+      rows.push_back(all[static_cast<std::size_t>(spread(k, count, wanted))]);
   }
-  return thinned;
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
 }
 
 /// @param apart only those of the same look: looks err each in a way of its own.
@@ -186,7 +196,8 @@ PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& opti
               options.neighbours >= 3,
           "a cloud is prepared with a positive density, ten points and three neighbours at least");
   PreparedCloud prepared;
-  prepared.cloud = thin(cloud, options.maximum_points);
+  const int most = options.maximum_points;
+  prepared.cloud = cloud.size() <= most ? cloud : rows_of(cloud, thinned_rows(cloud, most));
   prepared.neighbours = nearest_neighbours(prepared.cloud, options.neighbours, true);
   prepared.weight.assign(static_cast<std::size_t>(prepared.cloud.size()), 0.0);
   const double reference_area = 1e-4 / options.reference_density_per_cm2;

@@ -60,7 +60,7 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   std::vector<std::string> doubts;
   if (seen < kLittleSeen) doubts.emplace_back("little_surface_seen");
   if (fit.outlier_share > 0.2) doubts.emplace_back("many_outliers");
-  if (fit.residual > 5e-3) doubts.emplace_back("residual_large");
+  if (fit.residual > kLargeResidual) doubts.emplace_back("residual_large");
   if (fit.inverted > 0 && law.material.law != fem::BodyLaw::linear) doubts.emplace_back("inverted_elements");
   if (std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
         return rival.log_evidence > law.log_evidence - kRival && rival.away > kOtherShape;
@@ -128,6 +128,10 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   made.seen_share = seen_share(surface.mesh(), as_looked(cloud, fit->looks).points);
   made.doubts = doubts_of(*fit, made.seen_share);
   if (!shapes) return made;
+  // The forces' law counts against the shape that the modes make, which may itself be folded.
+  TetMesh bent = model.mesh;
+  bent.vertices = fit->nodes_in_camera;
+  if ((tetrahedron_volumes(bent).array() <= 0.0).any()) made.doubts.emplace_back("inverted_elements");
   if (fit->forces.size() > kMostTools)
     made.doubts.push_back("forces_many " + std::to_string(fit->forces.size()) + " " +
                           std::to_string(kMostTools));
@@ -251,6 +255,17 @@ OperationOptions operation_of(const RegisterOptions& options, const PatientModel
 
 namespace {
 
+/// @throws InputError landmarks alone are labelled: they say where the organ is, not how it is bent.
+void require_surface(const LabelledCloud& cloud) {
+  int seen = 0;
+  for (int i = 0; i < cloud.size(); ++i) seen += cloud.feature(i) == Feature::surface;
+  if (cloud.size() >= kMinimumPoints && seen < kMinimumPoints)
+    throw InputError("cloud", "labels",
+                     "show " + std::to_string(seen) + " points of the liver's surface, at least " +
+                         std::to_string(kMinimumPoints) + " are needed",
+                     "Draw a region on its surface, too");
+}
+
 /// Every step's own options with the threads of all.
 RegisterOptions shared_out(RegisterOptions options) {
   options.rigid.threads = options.operation.threads = options.forces.threads = options.threads;
@@ -285,6 +300,7 @@ class Run {
     const bool from_camera = options_.start != RegisterOptions::Start::none;
     cloud_ = sound_cloud(cloud, from_camera, examined_.cloud_faults);
     for (LabelledCloud& look : options_.looks) look = sound_cloud(look, from_camera, examined_.cloud_faults);
+    require_surface(cloud_);
   }
 
   Cancellable<ExaminedRegistration> run() {

@@ -90,7 +90,11 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
   surface.move(chosen.nodes_in_camera);
   chosen.seen_share = seen_share(surface.mesh(), cloud.points);
   chosen.residual = summarise(distances_to_surface(cloud.points, surface.mesh())).mean;
-  std::erase_if(chosen.doubts, [](const std::string& doubt) { return doubt.starts_with("rival_chosen"); });
+  std::erase_if(chosen.doubts, [](const std::string& doubt) {
+    return doubt.starts_with("rival_chosen") || doubt == "residual_large" || doubt == "little_surface_seen";
+  });
+  if (chosen.residual > kLargeResidual) chosen.doubts.emplace_back("residual_large");
+  if (chosen.seen_share < kLittleSeen) chosen.doubts.emplace_back("little_surface_seen");
   chosen.doubts.push_back("rival_chosen " + std::to_string(std::lround(100.0 * probability)));
   return chosen;
 }

@@ -39,6 +39,9 @@ struct LabelledCloud {
   }
 };
 
+/// Some of its points, in this order. @pre each number is one of a point.
+LabelledCloud rows_of(const LabelledCloud& cloud, const std::vector<int>& rows);
+
 /// Reads a PLY (ascii or binary, either endianness; x y z, optional nx ny nz, label, sigma), by
 /// geometry's parser: a malformed file is an InputError, never a crash.
 /// @throws FileError; InputError naming the element: NaN, truncated, no vertices, a label that is none.

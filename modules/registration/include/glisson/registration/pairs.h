@@ -23,11 +23,14 @@ struct PreparedCloud {
   std::vector<int> notch_points;
 };
 
+/// Fewer points than this register nothing; nor do fewer of the surface among them.
+inline constexpr int kMinimumPoints = 10;
+
 /// How a cloud is weighed, thinned and linked.
 struct CloudOptions {
   double reference_density_per_cm2 = 3.9;  ///< at which a point of the surface weighs 1
-  int maximum_points = 2000;               ///< a larger cloud is thinned evenly; the weights make up for it
-  int neighbours = 10;                     ///< of each point
+  int maximum_points = 2000;  ///< a larger cloud is thinned evenly, but for rare landmarks; weights make up
+  int neighbours = 10;        ///< of each point
   /// @throws InputError naming the option.
   void validate() const;
 };
@@ -88,6 +91,8 @@ double seen_share(const TriangleMesh& surface, const Points& cloud);
 /// Below a fifth of the surface the paper's error is over its 3 mm (Fig. 8), and ours up to centimetres far
 /// from what is seen.
 inline constexpr double kLittleSeen = 0.2;
+/// Mean distance of the cloud's points from the surface; beyond it is a doubt, m.
+inline constexpr double kLargeResidual = 5e-3;
 
 /// Mean distance over the kept pairs, metres; 0 when there are none.
 double mean_distance(const std::vector<Pair>& pairs);

@@ -96,7 +96,8 @@ ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed 
 /// residual_large, inverted_elements, mechanics_failed; with a prior shape_ambiguous (another shape, 10 mm
 /// away on average and more, is nearly as probable) and shape_unusual (an amplitude beyond four standard
 /// deviations).
-/// @throws InputError fewer than 10 points, not finite, unusable options or mesh; fixed nodes out of range.
+/// @throws InputError fewer than 10 points, not finite, hardly any of which meet the model from `start`;
+/// unusable options or mesh; fixed nodes out of range.
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context);

@@ -113,12 +113,13 @@ struct Registered {
 /// to what the camera sees. Rigid start, the shapes that operations make probable, the most
 /// probable of them from each start that fits, elastic. Where operations cannot be simulated on the model,
 /// elasticity alone decides. The same seed gives the same bits. Doubts of the forces: little_surface_seen,
-/// many_outliers, residual_large, inverted_elements (not under the linear law, which knows of none),
+/// many_outliers, residual_large, inverted_elements (with operations of the shape itself; without, not under
+/// the linear law, which knows of none),
 /// law_ambiguous (another law puts the nodes 5 mm away on average and is nearly as probable),
 /// forces_not_at_rest, with operations forces_many (how many tools act, the limit).
 /// @param known taken where its options are those of `options`; operations are not simulated again.
-/// @throws InputError as align_rigid, simulate_operations, register_elastic; NumericalError as
-///   simulate_operations.
+/// @throws InputError as align_rigid, simulate_operations, register_elastic; fewer than 10 points of the
+///   surface. NumericalError as simulate_operations.
 Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
                                        const RegisterOptions& options, const RunContext& context,
                                        const KnownOperations& known = {});
