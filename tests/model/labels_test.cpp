@@ -78,6 +78,7 @@ bool says(const model::ModelReport& report, const std::string& code) {
 class LabelsTest : public QObject {
   Q_OBJECT
  private slots:
+  void AVesselOutsideTheLiverIsLeftOut();
   void initTestCase();
   void MeshIsGood();
   void MeshFillsTheLabels();
@@ -302,6 +303,19 @@ void LabelsTest::OptionsOutOfRangeAreRefused() {
   options = {};
   options.hepatic_root = Points::Constant(1, 3, std::numeric_limits<double>::quiet_NaN());
   QVERIFY_EXCEPTION_THROWN(model::build_from_labels(map_, options, RunContext()), InputError);
+}
+
+void LabelsTest::AVesselOutsideTheLiverIsLeftOut() {
+  LabelMap map = phantom(Eigen::Matrix3d::Identity(), kSpacing);
+  const VolumeGrid& grid = map.voxels.grid();
+  for (int i = 1; i < 5; ++i)  // in the corner that is farthest from the liver
+    map.voxels.set({i, grid.size.y() - 2, 1}, structure::kHepaticVeins);
+  model::ModelOptions options = quick();
+  options.mesh.vessel_refinement = 0.5;
+  const auto built = model::build_from_labels(map, options, RunContext());
+  QVERIFY(built.has_value());
+  QVERIFY(says(built->report, "vessels.outside_liver hepatic_veins"));
+  QCOMPARE(built->model.vessels.size(), std::size_t{1});
 }
 
 QTEST_APPLESS_MAIN(LabelsTest)

@@ -65,6 +65,13 @@ VesselMask vessel_in_liver(Label structure, const LabelVolume& labels,
   return vessel;
 }
 
+void add_vessel(VesselMask vessel, Anatomy& anatomy) {
+  if (count(vessel.voxels) > 0)
+    anatomy.vessels.push_back(std::move(vessel));
+  else
+    anatomy.notes.push_back("vessels.outside_liver " + structure_name(vessel.structure));
+}
+
 std::vector<std::uint8_t> grown(const VolumeGrid& grid, const std::vector<std::uint8_t>& mask, double by_mm) {
   const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, mask, by_mm + grid.spacing_mm.maxCoeff());
   std::vector<std::uint8_t> all = mask;
@@ -123,8 +130,7 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
       anatomy.surfaces.push_back(surface_of(label, anatomy.lesions.back().second));
     } else if (label <= structure::kGallbladder) {
       anatomy.surfaces.push_back(surface_of(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid))));
-      if (is_wanted_vessel(label, options))
-        anatomy.vessels.push_back(vessel_in_liver(label, voxels, near_liver));
+      if (is_wanted_vessel(label, options)) add_vessel(vessel_in_liver(label, voxels, near_liver), anatomy);
     }
     if (context.cancelled()) return {};
   }
