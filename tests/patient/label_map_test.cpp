@@ -121,6 +121,7 @@ void LabelMapTest::RecodeRefusesAMirroredPatient() {
   mirrored.direction(0, 0) = -1.0;
   const LabelVolume turned(mirrored, foreign.dense());
   QVERIFY(looks_mirrored(turned));
+  QVERIFY_EXCEPTION_THROWN(require_not_mirrored(turned, "turned.nii"), InputError);
   QVERIFY_EXCEPTION_THROWN(recode(file_of(turned), as_they_are, "x"), InputError);
 }
 

@@ -90,6 +90,8 @@ class ClicksTest : public QObject {
   void ALiverClickBinds();
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
+  void InARegionClicksKeepTheirNumbers();
+  void WhatIsFoundNowhereLeavesWhatThereWas();
   void OneMoreClickChangesNothingFarAway();
   void ALockedLesionStaysVoxelByVoxel();
   void ALockedLiverStaysVoxelByVoxel();
@@ -146,6 +148,37 @@ void ClicksTest::AClickOnAnIslandIsNamed() {
   seeds.liver.conservativeResize(4, 3);
   seeds.liver.row(3) = test::points_at(phantom_.image, {{10, 112, 90}}).row(0);  // in fat, far away
   QVERIFY(has_note(segmented(phantom_.image, seeds), "seed.liver_apart 4"));
+}
+
+void ClicksTest::InARegionClicksKeepTheirNumbers() {
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.liver.conservativeResize(4, 3);
+  seeds.liver.row(3) = test::points_at(phantom_.image, {{10, 112, 90}}).row(0);
+  const auto corners = test::points_at(phantom_.image, {{0, 0, 0}, {80, 120, 100}});  // two clicks lie beyond
+  SegmentationOptions options;
+  options.region = Eigen::AlignedBox3d(corners.row(0).transpose());
+  options.region->extend(corners.row(1).transpose());
+  QVERIFY(has_note(segmented(phantom_.image, seeds, options), "seed.liver_apart 4"));
+}
+
+void ClicksTest::WhatIsFoundNowhereLeavesWhatThereWas() {
+  LabelMap kept = found_.labels;
+  const auto voxels = [](const LabelMap& labels) {
+    const auto mask = mask_of(labels, structure::kVenaCava);
+    return std::count(mask.begin(), mask.end(), 1);
+  };
+  for (int i = 50; i < 54; ++i) kept.voxels.set({i, 54, 40}, structure::kVenaCava);
+  QCOMPARE(voxels(kept), 4L);
+  // One voxel unlike all around it is no vessel.
+  Image image = phantom_.image;
+  auto values = *image.voxels;
+  values[static_cast<std::size_t>(image.grid.offset({52, 54, 44}))] = 900;
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(values));
+  Seeds seeds = clicks_in(image);
+  seeds.vena_cava = test::points_at(image, {{104, 108, 96.8}});
+  const Segmented result = segmented(image, seeds, {}, &kept);
+  QVERIFY(has_note(result, "vena_cava.not_found"));
+  QCOMPARE(voxels(result.labels), 4L);
 }
 
 void ClicksTest::OneMoreClickChangesNothingFarAway() {

@@ -86,6 +86,7 @@ class LesionsTest : public QObject {
   void ADiameterBoundsIt();
   void ADiameterDoesNotHideABorder();
   void ALesionInAHandsOtherUnitsIsRefused();
+  void ALesionLargerThanAClickLooksIsTold();
 };
 
 void LesionsTest::OneClickAnywhereFindsIt_data() {
@@ -169,6 +170,37 @@ void LesionsTest::ADiameterDoesNotHideABorder() {
 void LesionsTest::ALesionInAHandsOtherUnitsIsRefused() {
   const Phantom made = phantom(dark);
   QVERIFY_EXCEPTION_THROWN(grown(made, Vec::Zero(), 0.026), InputError);  // metres, not millimetres
+}
+
+void LesionsTest::ALesionLargerThanAClickLooksIsTold() {
+  const Vec middle(126, 117, 114);
+  constexpr double kHalf = 80.0;  // mm; a click looks 65 mm far
+  VolumeGrid grid;
+  grid.size = {84, 78, 76};
+  grid.spacing_mm = {3.0, 3.0, 3.0};
+  std::vector<Label> labels;
+  const Image image = test::noisy_ct(grid, 13, 12.0, [&](const Vec& p) {
+    const bool liver = (p - middle).cwiseQuotient(Vec(118, 108, 105)).norm() < 1.0;
+    labels.push_back(liver ? structure::kParenchyma : structure::kBackground);
+    return (p - middle).norm() < kHalf ? 60.0 : liver ? kLiver : -90.0;
+  });
+  LabelMap kept;
+  kept.voxels = LabelVolume(grid, labels);
+  kept.infos = {structure_info(structure::kParenchyma)};
+  SegmentationOptions options;
+  options.structures = {false, false, false, false, false, true};
+  const auto told = [&](double diameter_mm) {
+    Seeds seeds;
+    seeds.lesions = {test::points_at(image, {middle})};
+    if (diameter_mm > 0.0) seeds.lesion_diameters_mm = {diameter_mm};
+    const SegmentationReport report = segment(image, seeds, options, RunContext(), &kept)->report;
+    std::string all = std::to_string(report.lesion_ml.front()) + " ml";
+    for (const std::string& note : report.notes) all += " " + note;
+    return all;
+  };
+  const std::string clicked = told(0.0), drawn = told(2.0 * kHalf);
+  QVERIFY2(clicked.find("lesion_1.goes_on") != std::string::npos, clicked.c_str());
+  QVERIFY2(drawn.find("lesion_1.goes_on") == std::string::npos, drawn.c_str());
 }
 
 QTEST_GUILESS_MAIN(LesionsTest)

@@ -106,6 +106,7 @@ class DicomTest : public QObject {
   void TwoSeriesAreRefused();
   void AMissingSliceIsRefused();
   void GantryTiltIsRefused();
+  void ASliceBesideItsPlaceIsRefused();
   void TwoSlicesAtOnePlaceAreRefused();
   void ASingleSliceIsRefused();
   void DamagedSlicesNeverTakeTheProcessDown();
@@ -181,6 +182,25 @@ void DicomTest::GantryTiltIsRefused() {
     write_slice(folder.path() / std::to_string(k), image, k, tilted);
   }
   QVERIFY2(refusal_of(folder.path()).contains("gantry tilt"), qPrintable(refusal_of(folder.path())));
+}
+
+void DicomTest::ASliceBesideItsPlaceIsRefused() {
+  const Image image = test::stored_world(0);
+  const int count = image.grid.size.z();
+  const TemporaryFolder aside, uneven;
+  for (int k = 0; k < count; ++k) {
+    SliceOptions one;
+    if (k == 1) one.shift_mm = Eigen::Vector3d(8.0, 0.0, 0.0);
+    write_slice(aside.path() / std::to_string(k), image, k, one);
+  }
+  QVERIFY2(refusal_of(aside.path()).contains("no regular stack"), qPrintable(refusal_of(aside.path())));
+  // Forty slices of 2.5 mm and forty of 2.6, each gap nearly the usual one.
+  for (int k = 0; k < 80; ++k) {
+    SliceOptions one;
+    one.shift_mm.z() = 2.5 * (k - k % count) + 0.1 * std::max(0, k - 40);
+    write_slice(uneven.path() / std::to_string(100 + k), image, k % count, one);
+  }
+  QVERIFY2(refusal_of(uneven.path()).contains("no regular stack"), qPrintable(refusal_of(uneven.path())));
 }
 
 void DicomTest::TwoSlicesAtOnePlaceAreRefused() {

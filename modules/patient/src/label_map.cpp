@@ -99,6 +99,13 @@ bool looks_mirrored(const LabelVolume& labels) {
   return liver && cava && *cava < *liver;
 }
 
+void require_not_mirrored(const LabelVolume& labels, const std::string& name) {
+  if (looks_mirrored(labels))
+    throw InputError(name, "orientation",
+                     "the liver lies to the left of the vena cava: the volume is mirrored",
+                     "Correct the direction in the file's header (left and right are swapped)");
+}
+
 LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name) {
   std::vector<Label> table(65536, structure::kBackground);
   for (const auto& [code, label] : codes) table[code] = label;
@@ -120,10 +127,7 @@ LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::strin
   if (!any)
     throw InputError(name, "labels", "nothing of the liver is left after the codes were applied",
                      "Give the codes of this file: which number is parenchyma, portal_vein and so on");
-  if (looks_mirrored(map.voxels))
-    throw InputError(name, "orientation",
-                     "the liver lies to the left of the vena cava: the volume is mirrored",
-                     "Correct the direction in the file's header (left and right are swapped)");
+  require_not_mirrored(map.voxels, name);
   return map;
 }
 

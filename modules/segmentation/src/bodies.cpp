@@ -234,6 +234,7 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
       GrownLesion one = grow_lesion(scene, click);
       lesion.bright = lesion.bright || one.bright;
       lesion.borderless = lesion.borderless || one.borderless;
+      lesion.goes_on = lesion.goes_on || one.goes_on;
       if (lesion.phi.values.empty()) {
         lesion.phi = std::move(one.phi);
         continue;

@@ -231,6 +231,14 @@ bool ends_as_drawn(const LesionScene& scene, const Star& star, const Tissue& liv
   return within && beyond && std::abs(within->mean - beyond->mean) > kTold * liver.sigma;
 }
 
+/// Whether more than a stray ray ends where the search does.
+bool ends_at_reach(const Star& star, double reach_mm) {
+  constexpr double kStray = 0.02;  // of the rays
+  const auto last = static_cast<int>(reach_mm / Rays::kStep);
+  const auto count = std::count_if(star.radii.begin(), star.radii.end(), [=](int r) { return r >= last; });
+  return static_cast<double>(count) > kStray * static_cast<double>(star.radii.size());
+}
+
 /// A ball as it was drawn, but for what is barred and what is not in the liver.
 Field drawn_ball(const LesionScene& scene, const LesionClick& click) {
   const bool in_liver = is_organ(scene, scene.ct.offset(click.place));
@@ -272,9 +280,10 @@ GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click) {
   if (!drawn && gathered(scene.ct, evidence, star, begun.options) < kLeastFound) return {};
   if (drawn && rim == 0.0 && !ends_as_drawn(scene, star, begun.liver, click.diameter_mm))
     return {drawn_ball(scene, click), false, true};
+  const bool goes_on = ends_at_reach(star, begun.options.reach_mm);
   if (rim == 0.0) find_edge(scene, Evidence(begun.own, begun.liver, drawn), star);
   return {distance_to(star, scene.ct, kBand),
-          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false};
+          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false, goes_on};
 }
 
 LesionGuess guess_lesion(const LesionScene& scene, const LesionClick& click) {

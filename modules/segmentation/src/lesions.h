@@ -23,6 +23,7 @@ struct GrownLesion {
   Field phi;  ///< mm, negative inside, on the scene's grid; no values: nothing there is unlike the liver
   bool bright = false;      ///< it enhances, or its rim does: what is bright in it is no vessel
   bool borderless = false;  ///< nothing was found where it was drawn: a ball of the diameter
+  bool goes_on = false;     ///< it reaches as far as its border is looked for, and perhaps farther
 };
 
 /// How far from a click a lesion is looked for, mm.

@@ -75,14 +75,19 @@ LabelMap part_of(const LabelMap& labels, const VoxelBox& box) {
   return {LabelVolume(part_of(labels.voxels.grid(), box), dense), labels.infos};
 }
 
+std::optional<Eigen::Vector3i> voxel_in(const VolumeGrid& part,
+                                        const std::optional<Eigen::AlignedBox3d>& region,
+                                        const Eigen::Vector3d& p_in_ct) {
+  const Eigen::Vector3d index = part.index_of(Point<CtFrame>(p_in_ct));
+  const Eigen::Vector3i voxel = index.array().round().matrix().cast<int>();
+  return part.contains(voxel) && is_in(region, part, voxel) ? std::optional(voxel) : std::nullopt;
+}
+
 Seeds part_of(const Seeds& seeds, const VolumeGrid& part, const std::optional<Eigen::AlignedBox3d>& region) {
   const auto inside = [&](const Points& points) {
     std::vector<Eigen::Index> rows;
-    for (Eigen::Index n = 0; n < points.rows(); ++n) {
-      const Eigen::Vector3d index = part.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
-      const Eigen::Vector3i voxel = index.array().round().matrix().cast<int>();
-      if (part.contains(voxel) && is_in(region, part, voxel)) rows.push_back(n);
-    }
+    for (Eigen::Index n = 0; n < points.rows(); ++n)
+      if (voxel_in(part, region, points.row(n).transpose())) rows.push_back(n);
     return Points(points(rows, Eigen::all));
   };
   Seeds result{inside(seeds.liver),         inside(seeds.portal_vein),

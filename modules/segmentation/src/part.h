@@ -27,6 +27,11 @@ VoxelBox box_around(const VolumeGrid& image, const Points& points, double reach_
 bool is_in(const std::optional<Eigen::AlignedBox3d>& region, const VolumeGrid& grid,
            const Eigen::Vector3i& voxel);
 
+/// The voxel of the part at a place in metres. Empty: outside of the part or of the region.
+std::optional<Eigen::Vector3i> voxel_in(const VolumeGrid& part,
+                                        const std::optional<Eigen::AlignedBox3d>& region,
+                                        const Eigen::Vector3d& p_in_ct);
+
 Image part_of(const Image& image, const VoxelBox& box);
 LabelMap part_of(const LabelMap& labels, const VoxelBox& box);
 /// The seeds that lie in the part; lesions keep their numbers.

@@ -18,6 +18,9 @@ namespace glisson::segmentation {
 namespace {
 
 constexpr double kVesselSpacing = 1.0;  // mm
+/// Half the width of a hepatic vein where it ends, mm: 5 are usual, 8 those of a failing heart. The vena cava
+/// has 10 and more.
+constexpr double kWidestVein = 8.0;
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -71,6 +74,13 @@ Structures found_anew(const Structures& asked, const Seeds& seeds) {
   anew.gallbladder = asked.gallbladder && seeds.gallbladder.rows() > 0;
   anew.lesions = asked.lesions && std::any_of(seeds.lesions.begin(), seeds.lesions.end(),
                                               [](const Points& lesion) { return lesion.rows() > 0; });
+  return anew;
+}
+
+/// A vena cava or gallbladder of which nothing was found stays as it was.
+Structures where_found(Structures anew, const Bodies& bodies) {
+  anew.vena_cava = anew.vena_cava && bodies.cava.count() > 0;
+  anew.gallbladder = anew.gallbladder && bodies.gallbladder.count() > 0;
   return anew;
 }
 
@@ -215,6 +225,7 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
                     labels.voxels.grid().voxel_volume_mm3();
   if (auto note = cut_note(labels.voxels.grid(), liver)) report.notes.push_back(std::move(*note));
+  if (looks_mirrored(labels.voxels)) report.notes.emplace_back("liver.perhaps_mirrored");
   report.portal_ml = ml_of(labels.voxels, structure::kPortalVein);
   report.hepatic_ml = ml_of(labels.voxels, structure::kHepaticVeins);
   for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
@@ -223,19 +234,35 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
 }
 
 /// Codes, not sentences: what a person should look at.
-void note_doubts(const Seeds& seeds, const std::vector<GrownLesion>& lesions, SegmentationReport& report) {
+void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodies,
+                 SegmentationReport& report) {
+  const std::vector<GrownLesion>& lesions = bodies.lesions;
   if (report.liver_ml < 400.0) report.notes.emplace_back("liver.small");
   if (report.liver_ml > 4000.0) report.notes.emplace_back("liver.large");
   if (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0)
     report.notes.emplace_back("portal_vein.not_found");
   if (seeds.hepatic_veins.rows() > 0 && report.hepatic_ml == 0.0)
     report.notes.emplace_back("hepatic_veins.not_found");
+  if (anew.vena_cava && bodies.cava.count() == 0) report.notes.emplace_back("vena_cava.not_found");
+  if (anew.gallbladder && bodies.gallbladder.count() == 0) report.notes.emplace_back("gallbladder.not_found");
   for (std::size_t n = 0; n < report.lesion_ml.size(); ++n)
     if (seeds.lesions[n].rows() > 0 && report.lesion_ml[n] == 0.0)
       report.notes.push_back("lesion_" + std::to_string(n + 1) + ".not_found");
   for (std::size_t n = 0; n < lesions.size(); ++n)
     if (lesions[n].borderless && report.lesion_ml[n] > 0.0)
       report.notes.push_back("lesion_" + std::to_string(n + 1) + ".as_drawn");
+  for (std::size_t n = 0; n < lesions.size(); ++n)
+    if (lesions[n].goes_on && report.lesion_ml[n] > 0.0)
+      report.notes.push_back("lesion_" + std::to_string(n + 1) + ".goes_on");
+}
+
+/// Without seeds of its own the vena cava is tissue like the veins that end in it, and they grow on into it.
+void note_wide_veins(const FoundVessels& found, const LabelMap& labels, SegmentationReport& report) {
+  if (found.trees.hepatic.count() == 0 || ml_of(labels.voxels, structure::kVenaCava) > 0.0) return;
+  const Field phi = signed_distance(found.trees.hepatic, found.grid);
+  const double widest = -*std::min_element(phi.values.begin(), phi.values.end());
+  if (widest > kWidestVein)
+    report.notes.push_back("hepatic_veins.hold_cava " + std::to_string(std::lround(2.0 * widest)));
 }
 
 bool is_in_liver(Label label) {
@@ -244,16 +271,19 @@ bool is_in_liver(Label label) {
 }
 
 /// Clicks for and against the liver that the labels do not follow, by number and with the reason.
-void note_clicks(const Painting& painting, const Seeds& seeds, SegmentationReport& report) {
-  const auto label_at = [&](const Points& points, Eigen::Index n) {
-    const Eigen::Vector3d index =
-        painting.grid.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
-    return painting
-        .labels[static_cast<std::size_t>(painting.grid.offset(index.array().round().matrix().cast<int>()))];
+/// @param seeds all of them, by whose numbers a person knows them. @param region those outside were not
+/// asked.
+void note_clicks(const Painting& painting, const Seeds& seeds,
+                 const std::optional<Eigen::AlignedBox3d>& region, SegmentationReport& report) {
+  const auto label_at = [&](const Points& points, Eigen::Index n) -> std::optional<Label> {
+    const auto voxel = voxel_in(painting.grid, region, points.row(n).transpose());
+    if (!voxel) return {};
+    return painting.labels[static_cast<std::size_t>(painting.grid.offset(*voxel))];
   };
   for (Eigen::Index n = 0; n < seeds.liver.rows(); ++n) {
-    const Label label = label_at(seeds.liver, n);
-    if (is_in_liver(label)) continue;
+    const auto found = label_at(seeds.liver, n);
+    if (!found || is_in_liver(*found)) continue;
+    const Label label = *found;
     const std::string number = " " + std::to_string(n + 1);
     if (label != structure::kBackground)
       report.notes.push_back("seed.liver_taken" + number + " " + structure_name(label));
@@ -261,9 +291,9 @@ void note_clicks(const Painting& painting, const Seeds& seeds, SegmentationRepor
       report.notes.push_back("seed.liver_apart" + number);
   }
   for (Eigen::Index n = 0; n < seeds.background.rows(); ++n) {
-    const Label label = label_at(seeds.background, n);
-    if (is_liver_tissue(label))
-      report.notes.push_back("seed.not_liver_taken " + std::to_string(n + 1) + " " + structure_name(label));
+    const auto label = label_at(seeds.background, n);
+    if (label && is_liver_tissue(*label))
+      report.notes.push_back("seed.not_liver_taken " + std::to_string(n + 1) + " " + structure_name(*label));
   }
 }
 
@@ -315,13 +345,15 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
 
   const bool parenchyma_held =
       std::find(options.locked.begin(), options.locked.end(), structure::kParenchyma) != options.locked.end();
-  Painting painting = prepared(image, seeds, anew, kept, parenchyma_held);
-  paint_all(*bodies, *vessels, anew, painting);
+  const Structures found = where_found(anew, *bodies);
+  Painting painting = prepared(image, seeds, found, kept, parenchyma_held);
+  paint_all(*bodies, *vessels, found, painting);
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
-  note_doubts(seeds, bodies->lesions, result.report);
-  if (anew.liver) note_clicks(painting, seeds, result.report);
+  note_doubts(seeds, anew, *bodies, result.report);
+  if (anew.hepatic_veins) note_wide_veins(*vessels, result.labels, result.report);
+  if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;
 }

@@ -168,6 +168,22 @@ std::vector<DicomObject> chosen_series(const Request& request, const std::vector
   return chosen;
 }
 
+/// @param step from slice to slice. @throws InputError a slice lies half a voxel from its place in the grid:
+/// gaps that each are nearly right add up.
+void check_places(const Request& request, const std::vector<Slice>& slices, const Eigen::Vector3d& step) {
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const Eigen::Vector3d off =
+        slices[i].origin_mm - slices.front().origin_mm - static_cast<double>(i) * step;
+    const double along = std::abs(off.dot(step.normalized()));
+    const double aside = (off - off.dot(step.normalized()) * step.normalized()).norm();
+    if (along <= 0.5 * step.norm() && aside <= 0.5 * slices.front().spacing_mm.minCoeff()) continue;
+    std::ostringstream problem;
+    problem << "are no regular stack: " << slices[i].path.filename().string() << " lies " << off.norm()
+            << " mm from its place";
+    refuse(request, "slices", problem.str(), "Export the whole series again, or resample it");
+  }
+}
+
 /// Sorts along the normal; refuses slices that do not form one regular stack.
 void order_and_check(const Request& request, std::vector<Slice>& slices, double& gap_mm) {
   const Slice& first = slices.front();
@@ -214,6 +230,7 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
     refuse(request, "slices", problem.str(), "Resample the series to a rectangular grid");
   }
   gap_mm = run.dot(normal) / static_cast<double>(gaps.size());
+  check_places(request, slices, gap_mm * normal);
 }
 
 void check_one_patient(const Request& request, const std::vector<DicomObject>& images) {

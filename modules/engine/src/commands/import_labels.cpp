@@ -111,6 +111,7 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   if (context.cancelled()) return {};
   LabelMap labels =
       meanings.empty() ? LabelMap{file.voxels, file.infos} : recode(file, meanings, path.string());
+  require_not_mirrored(labels.voxels, path.string());
   Applied applied{state};
   applied.notes = std::move(notes);
   replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});

@@ -76,6 +76,8 @@ std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm
 /// Whether the liver lies to the patient's left of the vena cava, as in a volume whose header swaps left and
 /// right. False when either is missing. Takes structure labels.
 bool looks_mirrored(const LabelVolume& labels);
+/// @param name of the file, for the message. @throws InputError it looks mirrored.
+void require_not_mirrored(const LabelVolume& labels, const std::string& name);
 
 /// A foreign label volume, recoded. Codes that the table does not name become background.
 /// @param name of the file, for messages.
