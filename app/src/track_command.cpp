@@ -130,6 +130,7 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
     mask.look(session.state()[part::live]->mask);
     corrections.after(frame.index, record);
     if (const auto tried = again.after(frame.index, frame.seconds, session.context())) {
+      if (tried->line.is_taken) record.go_on_from(*session.state()[part::registration]);
       if (tried->problem.empty())
         record.add(tried->line);
       else

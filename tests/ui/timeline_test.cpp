@@ -297,10 +297,13 @@ void TimelineTest::TheSavedPictureIsTheOneOnTheScreen() {
   guidance_->review.toggle();
   QVERIFY(rests());
   const std::filesystem::path path = folder_->path() / "shot.png";
-  QCOMPARE(guidance_->live.save_picture(QString::fromStdString(path.string())), QString());
+  QCOMPARE(ui::LiveViewModel::save_picture(guidance_->live.picture(), QString::fromStdString(path.string())),
+           QString());
   QVERIFY(*stereo::read_picture(path).bytes == *guidance_->live.picture().bytes);
   const std::filesystem::path nowhere = folder_->path() / "no_such_folder" / "shot.png";
-  QVERIFY(!guidance_->live.save_picture(QString::fromStdString(nowhere.string())).isEmpty());
+  QVERIFY(
+      !ui::LiveViewModel::save_picture(guidance_->live.picture(), QString::fromStdString(nowhere.string()))
+           .isEmpty());
 }
 
 void TimelineTest::TheTrackAsksForTheFrameUnderThePointer() {

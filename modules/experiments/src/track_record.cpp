@@ -29,6 +29,7 @@ std::string padded(int number, int digits) {
 TrackRecord::TrackRecord(const PatientModel& model, Registration start, TrackOutput output)
     : model_(model),
       start_(std::move(start)),
+      carried_(start_),
       output_(std::move(output)),
       evaluation_(model_, start_, 30.0) {}
 
@@ -50,7 +51,7 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
     figures_[lesion + "_frames_" + level_code(verdict.level)] += 1.0;
   }
   if (overlay.nodes_in_camera.rows() > 0) {
-    Registration carried = registration::carried_to(model_, start_, overlay.nodes_in_camera);
+    Registration carried = registration::carried_to(model_, carried_, overlay.nodes_in_camera);
     carried.residual = overlay.residual;
     line.camera_from_model = carried.camera_from_ct.matrix();
     Eigen::Matrix4d pose = *line.camera_from_model;

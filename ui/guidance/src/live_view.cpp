@@ -171,11 +171,12 @@ void LiveView::switch_whole_screen() {
 }
 
 void LiveView::save_picture() {
+  const Picture held = model_.picture();  // the video goes on while the dialog asks
   const QString path = QFileDialog::getSaveFileName(this, tr("Save the picture"),
                                                     QStringLiteral("frame_%1.png").arg(model_.shown_index()),
                                                     tr("Pictures (*.png *.jpg)"));
   if (path.isEmpty()) return;
-  const QString error = model_.save_picture(path);
+  const QString error = LiveViewModel::save_picture(held, path);
   if (!error.isEmpty()) QMessageBox::warning(this, tr("Save the picture"), error);
 }
 

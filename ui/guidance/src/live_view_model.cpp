@@ -39,6 +39,7 @@ LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, Pl
   connect(&worker_, &OverlayWorker::failed, this, &LiveViewModel::show_failed);
   connect(&playback_, &PlaybackModel::case_read, this, &LiveViewModel::read_case);
   connect(&playback_, &PlaybackModel::begun, this, [this] {
+    live_job_.reset();  // of a former playing
     painted_at_.clear();
     since_painted_.invalidate();
     since_figures_.invalidate();
@@ -371,10 +372,10 @@ void LiveViewModel::show_live_figures(const OverlayFrame& overlay, double draw) 
                  {tr("Frames late / dropped"), tr("%1 / %2").arg(live.frames_late).arg(live.frames_dropped)}};
 }
 
-QString LiveViewModel::save_picture(const QString& path) const {
-  if (picture().empty()) return tr("There is no picture to save.");
+QString LiveViewModel::save_picture(const Picture& held, const QString& path) {
+  if (held.empty()) return tr("There is no picture to save.");
   try {
-    stereo::write_picture(path.toStdString(), picture());
+    stereo::write_picture(path.toStdString(), held);
   } catch (const Error& error) {
     return error_text(error.what());
   }
@@ -394,6 +395,11 @@ void LiveViewModel::show_freshness() {
   if (playback_.is_paused) {
     banner = tr("Paused. The picture is not live.");
     line = tr("Paused at frame %1, not live").arg(shown_.index);
+    is_fresh = QVariant(false);
+    return;
+  }
+  if (!shows_live_) {  // of a former playing, until the first picture of this one comes
+    line = tr("Frame %1, not live").arg(shown_.index);
     is_fresh = QVariant(false);
     return;
   }

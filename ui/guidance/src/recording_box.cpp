@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 
 #include "box_layout.h"
@@ -43,7 +44,10 @@ void RecordingBox::toggle() {
   if (model_.is_recording) return model_.stop();
   const QString path = QFileDialog::getSaveFileName(this, tr("Record the live view"),
                                                     QStringLiteral("overlay.mkv"), tr("Video (*.mkv)"));
-  if (!path.isEmpty()) model_.start(path);
+  if (path.isEmpty()) return;
+  if (model_.is_offered) return model_.start(path);
+  QMessageBox::warning(this, tr("Record the live view"),
+                       tr("The video has ended meanwhile: nothing is recorded."));
 }
 
 }  // namespace glisson::ui

@@ -45,6 +45,8 @@ class TrackRecord {
   void add_undone(const OverlayFrame& overlay);
   /// The organ was registered again after that frame.
   void add(const AgainLine& again);
+  /// What the meshes from now on tell of errors and doubts: the registration that tracking goes on from.
+  void go_on_from(Registration registration) { carried_ = std::move(registration); }
   /// Writes frames.jsonl. @param whole false: it was cut short. @throws FileError.
   void finish(bool whole);
   int frames() const { return evaluation_.times().frames(); }
@@ -55,7 +57,7 @@ class TrackRecord {
   void compare(int number, const OverlayFrame& overlay);
 
   const PatientModel& model_;
-  Registration start_;
+  Registration start_, carried_;
   TrackOutput output_;
   TrackEvaluation evaluation_;
   Figures figures_;

@@ -67,7 +67,7 @@ class LiveViewModel : public QObject {
   /// From the camera to the screen, of this playing.
   const ScreenTimes& screen_times() const { return screen_times_; }
   /// Writes it (.png, .jpg). @return what went wrong; empty: nothing.
-  QString save_picture(const QString& path) const;
+  static QString save_picture(const Picture& held, const QString& path);
   /// Of the frame on the screen.
   int shown_index() const { return shown_.index; }
   /// The picture on the screen is of now; else it says itself that it is not.

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the meshes of a track tell.
+#include "glisson/experiments/track_record.h"
+
+#include <QtTest>
+
+#include "glisson/core/files.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::experiments;
+
+class TrackRecordTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void MeshesTellOfTheRegistrationThatIsFollowed();
+};
+
+void TrackRecordTest::MeshesTellOfTheRegistrationThatIsFollowed() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  Registration first;
+  first.camera_from_ct = phantom::view();
+  first.nodes_in_camera = phantom::view().apply(model.mesh.vertices);
+  first.doubts = {"little_surface_seen"};
+  Registration second = first;
+  second.doubts = {"many_outliers"};
+
+  const TemporaryFolder folder;
+  std::vector<Registration> written;
+  TrackOutput output;
+  output.folder = folder.path();
+  output.write_mesh = [&](const std::filesystem::path&, const Registration& carried, const NamedArrays&) {
+    written.push_back(carried);
+  };
+  TrackRecord record(model, first, output);
+  OverlayFrame overlay;
+  overlay.nodes_in_camera = first.nodes_in_camera;
+  record.add(0, overlay);
+  record.go_on_from(second);
+  record.add(1, overlay);
+  QCOMPARE(written.size(), std::size_t{2});
+  QCOMPARE(written[0].doubts, first.doubts);
+  QCOMPARE(written[1].doubts, second.doubts);
+}
+
+QTEST_GUILESS_MAIN(TrackRecordTest)
+#include "track_record_test.moc"
