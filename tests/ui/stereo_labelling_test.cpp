@@ -68,6 +68,16 @@ class StereoLabellingTest : public QObject {
   void click(Side side, double x, double y, Qt::MouseButton button = Qt::LeftButton) {
     QTest::mouseClick(&editor(side), button, {}, editor(side).widget_point({x, y}).toPoint());
   }
+  /// What is at one pixel of the left picture to another one.
+  void drag(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    ui::RegionEditor& left = editor(Side::left);
+    const QPoint end = left.widget_point(to).toPoint();
+    QTest::mousePress(&left, Qt::LeftButton, {}, left.widget_point(from).toPoint());
+    QMouseEvent move(QEvent::MouseMove, QPointF(end), left.mapToGlobal(QPointF(end)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&left, &move);
+    QTest::mouseRelease(&left, Qt::LeftButton, {}, end);
+  }
   void key(int key, Qt::KeyboardModifiers keys = {}) {
     QTest::keyClick(&editor(Side::left), static_cast<Qt::Key>(key), keys);
   }
@@ -197,13 +207,7 @@ void StereoLabellingTest::CloudHoldsEveryLabelWhereItWasClicked() {
 
 void StereoLabellingTest::DraggedCornerTakesPointsAwayAndUndoBringsThemBack() {
   const int before = state()[part::cloud]->size();
-  ui::RegionEditor& left = editor(Side::left);
-  const QPoint from = left.widget_point({160, 120}).toPoint(), to = left.widget_point({380, 300}).toPoint();
-  QTest::mousePress(&left, Qt::LeftButton, {}, from);
-  QMouseEvent move(QEvent::MouseMove, QPointF(to), left.mapToGlobal(QPointF(to)), Qt::NoButton,
-                   Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&left, &move);
-  QTest::mouseRelease(&left, Qt::LeftButton, {}, to);
+  drag({160, 120}, {380, 300});
   QVERIFY(settle());
   QTRY_VERIFY(state()[part::cloud]->size() < before);
   QVERIFY((state()[part::regions]->regions[0].polygon[0] - Eigen::Vector2d(380, 300)).norm() < 2.0);
@@ -343,6 +347,14 @@ void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
   window_->engine().post(engine::LoadStereoPair{folder_.path() / "l2.png", folder_.path() / "r2.png", {}});
   QVERIFY(settle());
   QTRY_VERIFY(warning->isVisible() && warning->text().contains(QStringLiteral("another frame")));
+  QVERIFY(!panel().stereo_view().drawing().can_undo());  // those steps were the other frame's
+  // Who moves one stores all; the others are the other frame's still.
+  const std::size_t others = state()[part::regions]->regions.size() - 1;
+  const auto corner = state()[part::regions]->regions[0].polygon[0];
+  drag(corner, corner + Eigen::Vector2d(30, 40));
+  QVERIFY(settle());
+  QCOMPARE(state()[part::regions]->regions.size(), others + 1);
+  QTRY_VERIFY(warning->text().contains(QStringLiteral("another frame: %1").arg(others)));
   push("clear_regions");
   QVERIFY(settle());
   QTRY_VERIFY(!warning->isVisible());

@@ -22,6 +22,13 @@ bool same_regions(const RegionDrawing::Regions& a, const RegionDrawing::Regions&
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_region);
 }
 
+int count_unchanged(const RegionDrawing::Regions& regions, const RegionDrawing::Regions& former) {
+  return static_cast<int>(std::count_if(regions.begin(), regions.end(), [&](const stereo::Region& one) {
+    return std::any_of(former.begin(), former.end(),
+                       [&](const stereo::Region& other) { return same_region(one, other); });
+  }));
+}
+
 void RegionDrawing::set_tool(const std::optional<Tool>& tool) {
   if (tool_ && tool && tool_->feature == tool->feature && tool_->closed == tool->closed) {
     tool_ = tool;  // the same tool, wider or narrower: the unfinished line stays

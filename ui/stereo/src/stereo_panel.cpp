@@ -73,7 +73,6 @@ StereoPanel::~StereoPanel() {
 void StereoPanel::take_outcome(const engine::Outcome& outcome) {
   const bool done = outcome.status == engine::Status::done;
   if (storing_.erase(outcome.id) > 0 && storing_.empty()) {
-    has_stored_ = done;
     // The engine refused the regions: show again those that the case has.
     if (!done) {
       view_->drawing().set_regions({});
@@ -287,7 +286,8 @@ void StereoPanel::show_case() {
     shown_video_ = now[part::video];
     frame_->setMaximum(kMostFrames);  // how many it has is told when it is opened here
   }
-  if (now[part::frame] != shown_frame_) {
+  const bool is_other_frame = now[part::frame] != shown_frame_;
+  if (is_other_frame) {
     shown_frame_ = now[part::frame];
     identity_ = now[part::frame]
                     ? stereo::frame_identity(now[part::frame]->frame.left, now[part::frame]->frame.right)
@@ -296,7 +296,7 @@ void StereoPanel::show_case() {
     if (now[part::frame]) frame_->setValue(now[part::frame]->frame.index);
   }
   view_->set_pair(now[part::frame], rig_fits() ? now[part::rig] : nullptr);
-  if (storing_.empty()) take_regions();
+  take_regions(is_other_frame);
   calibration_->setText(now[part::rig] ? tr("%1 × %2, baseline %3 mm")
                                              .arg(now[part::rig]->left.width)
                                              .arg(now[part::rig]->left.height)
@@ -319,16 +319,16 @@ void StereoPanel::show_case() {
   show_figures();
 }
 
-void StereoPanel::take_regions() {
-  const bool stored = std::exchange(has_stored_, false);
-  if (engine().state()[part::regions] == taken_) return;
-  taken_ = engine().state()[part::regions];
-  const RegionDrawing::Regions regions = taken_ ? taken_->regions : RegionDrawing::Regions();
-  // What comes from elsewhere, as with another case, is nothing that was drawn here and could be undone.
-  if (stored && taken_)
-    view_->drawing().set_regions(regions);
-  else
-    view_->drawing().begin_anew(regions);
+void StereoPanel::take_regions(bool is_other_frame) {
+  RegionDrawing& drawing = view_->drawing();
+  if (storing_.empty() && engine().state()[part::regions] != taken_) {
+    taken_ = engine().state()[part::regions];
+    drawing.set_regions(taken_ ? taken_->regions : RegionDrawing::Regions());
+    view_->refresh();
+  }
+  if (!is_other_frame) return;
+  of_another_frame_ = taken_ && taken_->identity != identity_ ? taken_->regions : RegionDrawing::Regions();
+  drawing.begin_anew(RegionDrawing::Regions(drawing.regions()));  // other steps and lines were the former's
   view_->refresh();
 }
 
@@ -337,6 +337,9 @@ void StereoPanel::show_figures() {
   figures_->set_rows(cloud_figures(now));
   QString warning = cloud_warning(now);
   if (!faults_.isEmpty()) warning = warning.isEmpty() ? faults_ : faults_ + QLatin1Char('\n') + warning;
+  const int left = count_unchanged(view_->drawing().regions(), of_another_frame_);
+  if (left > 0 && warning.isEmpty())  // storing them with the others has made them this frame's
+    warning = tr("Still as drawn on another frame: %1. Move or clear them.").arg(left);
   warnings_->setText(warning);
   warnings_->setVisible(!warning.isEmpty());
 }

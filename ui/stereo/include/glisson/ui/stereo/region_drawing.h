@@ -41,7 +41,7 @@ class RegionDrawing {
   const std::optional<Tool>& tool() const { return tool_; }
   /// What the case holds. Other regions than those here (of another frame or case) begin a new history.
   void set_regions(const Regions& regions);
-  /// What another case holds: even the same regions begin a new history.
+  /// What stands on another frame: even the same regions begin a new history.
   void begin_anew(const Regions& regions);
   const Regions& regions() const { return regions_; }
   /// The line that is being drawn; null: none.
@@ -90,5 +90,7 @@ class RegionDrawing {
 
 /// Whether two lists of regions are the same to the last bit.
 bool same_regions(const RegionDrawing::Regions& a, const RegionDrawing::Regions& b);
+/// How many of `regions` stand as they are in `former`.
+int count_unchanged(const RegionDrawing::Regions& regions, const RegionDrawing::Regions& former);
 
 }  // namespace glisson::ui

@@ -60,7 +60,8 @@ class StereoPanel : public Panel {
   /// Labels the points anew, where they are of this pair: regions have changed.
   void label();
   void show_case();
-  void take_regions();
+  /// The case's regions, and what is left of those of another frame.
+  void take_regions(bool is_other_frame);
   void show_cloud();
   void show_drawing();
   void show_region_list();
@@ -86,13 +87,13 @@ class StereoPanel : public Panel {
   FiguresTable* figures_ = nullptr;
   QLabel* warnings_ = nullptr;
   std::set<engine::CommandId> storing_;
-  bool has_stored_ = false;                   ///< the case's next regions are those that were drawn here
-  std::optional<engine::CommandId> opening_;  ///< a source whose first frame is wanted
+  std::optional<engine::CommandId> opening_;         ///< a source whose first frame is wanted
   std::optional<stereo::ReconstructOptions> again_;  ///< with which the points that are labelled were made
   QString faults_;            ///< what the last reconstruction found wrong with the pair
   bool label_again_ = false;  ///< regions changed while points were labelled
   std::shared_ptr<const engine::StereoInput> shown_frame_;
-  std::string identity_;  ///< of that frame
+  std::string identity_;                     ///< of that frame
+  RegionDrawing::Regions of_another_frame_;  ///< as they stood when that frame came
   std::shared_ptr<const engine::VideoSource> shown_video_;
   std::shared_ptr<const stereo::Regions> taken_;
 };
