@@ -108,7 +108,7 @@ class PatientWay {
     fine.options.mesh.target_vertices = kFineVertices;
     post(fine, "fine");
     post(coarse);
-    post(engine::SaveCase{folder_ / "patient.glisson"});
+    post(engine::SaveCase{folder_ / "patient.glisson", true});
   }
 
  private:

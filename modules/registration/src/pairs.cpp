@@ -46,18 +46,20 @@ std::vector<int> thinned_rows(const LabelledCloud& cloud, int maximum) {
   constexpr int kOfLandmark = 5;  // as many as tell a margin that lies elsewhere
   std::vector<int> rows;
   for (int k = 0; k < maximum; ++k) rows.push_back(spread(k, cloud.size(), maximum));
-  std::map<std::pair<Feature, int>, std::pair<std::vector<int>, int>>
-      landmarks;  // all, and how many are taken
-  const auto of = [&](int i) -> auto& { return landmarks[{cloud.feature(i), cloud.look(i)}]; };
+  struct Landmark {
+    std::vector<int> all;
+    int taken = 0;
+  };
+  std::map<std::pair<Feature, int>, Landmark> landmarks;  // by feature and look
+  const auto of = [&](int i) -> Landmark& { return landmarks[{cloud.feature(i), cloud.look(i)}]; };
   for (int i = 0; i < cloud.size(); ++i)
-    if (cloud.feature(i) != Feature::surface) of(i).first.push_back(i);
+    if (cloud.feature(i) != Feature::surface) of(i).all.push_back(i);
   for (const int i : rows)
-    if (cloud.feature(i) != Feature::surface) ++of(i).second;
+    if (cloud.feature(i) != Feature::surface) ++of(i).taken;
   for (const auto& [key, found] : landmarks) {
-    const auto& [all, taken] = found;
-    const int count = static_cast<int>(all.size()), wanted = std::min(count, kOfLandmark);
-    for (int k = 0; taken < wanted && k < wanted; ++k)
-      rows.push_back(all[static_cast<std::size_t>(spread(k, count, wanted))]);
+    const int count = static_cast<int>(found.all.size()), wanted = std::min(count, kOfLandmark);
+    for (int k = 0; found.taken < wanted && k < wanted; ++k)
+      rows.push_back(found.all[static_cast<std::size_t>(spread(k, count, wanted))]);
   }
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());

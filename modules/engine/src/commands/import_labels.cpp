@@ -109,9 +109,9 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
       has_dicom_mark(path) ? read_dicom(path, state, meanings, notes) : read_volume(path, meanings, notes);
   if (state[part::image]) require_same_grid(file.voxels.grid(), state[part::image]->grid, path.string());
   if (context.cancelled()) return {};
+  if (meanings.empty()) require_not_mirrored(file.voxels, path.string());  // else recode() does
   LabelMap labels =
       meanings.empty() ? LabelMap{file.voxels, file.infos} : recode(file, meanings, path.string());
-  require_not_mirrored(labels.voxels, path.string());
   Applied applied{state};
   applied.notes = std::move(notes);
   replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});

@@ -57,7 +57,7 @@ class TrackRecord {
   void compare(int number, const OverlayFrame& overlay);
 
   const PatientModel& model_;
-  Registration start_, carried_;
+  Registration start_, carried_;  ///< where tracking began; whose errors and doubts the meshes tell
   TrackOutput output_;
   TrackEvaluation evaluation_;
   Figures figures_;
