@@ -6445,8 +6445,8 @@
         <translation>%1 ist keine Läsion dieses Modells: Was über ihre Steifigkeit gesagt ist, wird weggelassen.</translation>
     </message>
     <message>
-        <source>The hepatic veins are up to %1 mm wide: they have grown on into the vena cava. Click the vena cava, too, and segment again.</source>
-        <translation>Die Lebervenen sind bis zu %1 mm weit: Sie sind in die Hohlvene weitergewachsen. Klicken Sie auch die Hohlvene an, und segmentieren Sie noch einmal.</translation>
+        <source>%1 ml of the hepatic veins lie outside of the liver: they have grown on into the vena cava. Click the vena cava, too, and segment again.</source>
+        <translation>%1 ml der Lebervenen liegen außerhalb der Leber: Sie sind in die Hohlvene weitergewachsen. Klicken Sie auch die Hohlvene an, und segmentieren Sie noch einmal.</translation>
     </message>
     <message>
         <source>No vena cava was found at its seeds: what there was stays.</source>

@@ -6445,8 +6445,8 @@
         <translation>%1 n&apos;est pas une lésion de ce modèle : ce qui est dit de sa raideur est omis.</translation>
     </message>
     <message>
-        <source>The hepatic veins are up to %1 mm wide: they have grown on into the vena cava. Click the vena cava, too, and segment again.</source>
-        <translation>Les veines hépatiques ont jusqu&apos;à %1 mm de large : elles se sont étendues dans la veine cave. Cliquez aussi la veine cave et segmentez de nouveau.</translation>
+        <source>%1 ml of the hepatic veins lie outside of the liver: they have grown on into the vena cava. Click the vena cava, too, and segment again.</source>
+        <translation>%1 ml des veines hépatiques sont hors du foie : elles se sont étendues dans la veine cave. Cliquez aussi la veine cave et segmentez de nouveau.</translation>
     </message>
     <message>
         <source>No vena cava was found at its seeds: what there was stays.</source>

@@ -121,6 +121,7 @@ class PatientsTest : public QObject {
   void initTestCase();
   void SyntheticPatientIsFoundFromClicks();
   void RimOfTheCavaIsNoVein();
+  void ACavaThatTheVeinsHaveTakenIsTold();
   void AnteriorMarginIsKept();
   void RealPatientIsFoundFromClicks();
 
@@ -177,6 +178,20 @@ void PatientsTest::RimOfTheCavaIsNoVein() {
   const double wrong_ml = 1e-3 * patient_.ct.grid.voxel_volume_mm3() * static_cast<double>(wrong);
   qInfo("of the cava called a vein: %.2f ml", wrong_ml);
   QVERIFY(wrong_ml < 0.3);
+}
+
+void PatientsTest::ACavaThatTheVeinsHaveTakenIsTold() {
+  const auto told = [](const Segmented& result) {
+    return std::any_of(result.report.notes.begin(), result.report.notes.end(),
+                       [](const std::string& note) { return note.starts_with("hepatic_veins.hold_cava"); });
+  };
+  QVERIFY(!told(found_));
+  Seeds seeds = clicks_;
+  seeds.vena_cava.resize(0, 3);
+  const Segmented without = segment(patient_.ct, seeds, {}, RunContext()).value();
+  qInfo("hepatic veins %.1f ml, without clicks in the vena cava %.1f ml", found_.report.hepatic_ml,
+        without.report.hepatic_ml);
+  QVERIFY(told(without));
 }
 
 void PatientsTest::AnteriorMarginIsKept() {

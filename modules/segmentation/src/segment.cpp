@@ -18,9 +18,8 @@ namespace glisson::segmentation {
 namespace {
 
 constexpr double kVesselSpacing = 1.0;  // mm
-/// Half the width of a hepatic vein where it ends, mm: 5 are usual, 8 those of a failing heart. The vena cava
-/// has 10 and more.
-constexpr double kWidestVein = 8.0;
+/// What of the hepatic veins may lie outside of the liver, ml: three trunks of 10 mm, 15 mm long, are 3.5.
+constexpr double kVeinsBeyond = 5.0;
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -219,12 +218,26 @@ LabelMap placed(const Painting& painting, const VoxelBox& box,
   return result;
 }
 
+/// Without seeds of its own the vena cava is tissue like the veins that end in it, and they grow on into it.
+/// @param liver as inside_liver() has it.
+std::optional<std::string> cava_note(const LabelVolume& labels, const std::vector<std::uint8_t>& liver) {
+  if (ml_of(labels, structure::kVenaCava) > 0.0) return {};
+  const std::vector<std::uint8_t> veins =
+      labels.mask([](Label label) { return label == structure::kHepaticVeins; });
+  long beyond = 0;
+  for (std::size_t i = 0; i < veins.size(); ++i) beyond += veins[i] != 0 && liver[i] == 0;
+  const double ml = 1e-3 * static_cast<double>(beyond) * labels.grid().voxel_volume_mm3();
+  if (ml <= kVeinsBeyond) return {};
+  return "hepatic_veins.hold_cava " + std::to_string(std::lround(ml));
+}
+
 SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   SegmentationReport report;
   const std::vector<std::uint8_t> liver = inside_liver(labels);
   report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
                     labels.voxels.grid().voxel_volume_mm3();
   if (auto note = cut_note(labels.voxels.grid(), liver)) report.notes.push_back(std::move(*note));
+  if (auto note = cava_note(labels.voxels, liver)) report.notes.push_back(std::move(*note));
   if (looks_mirrored(labels.voxels)) report.notes.emplace_back("liver.perhaps_mirrored");
   report.portal_ml = ml_of(labels.voxels, structure::kPortalVein);
   report.hepatic_ml = ml_of(labels.voxels, structure::kHepaticVeins);
@@ -254,15 +267,6 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodie
   for (std::size_t n = 0; n < lesions.size(); ++n)
     if (lesions[n].goes_on && report.lesion_ml[n] > 0.0)
       report.notes.push_back("lesion_" + std::to_string(n + 1) + ".goes_on");
-}
-
-/// Without seeds of its own the vena cava is tissue like the veins that end in it, and they grow on into it.
-void note_wide_veins(const FoundVessels& found, const LabelMap& labels, SegmentationReport& report) {
-  if (found.trees.hepatic.count() == 0 || ml_of(labels.voxels, structure::kVenaCava) > 0.0) return;
-  const Field phi = signed_distance(found.trees.hepatic, found.grid);
-  const double widest = -*std::min_element(phi.values.begin(), phi.values.end());
-  if (widest > kWidestVein)
-    report.notes.push_back("hepatic_veins.hold_cava " + std::to_string(std::lround(2.0 * widest)));
 }
 
 bool is_in_liver(Label label) {
@@ -352,7 +356,6 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
   note_doubts(seeds, anew, *bodies, result.report);
-  if (anew.hepatic_veins) note_wide_veins(*vessels, result.labels, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;

@@ -43,9 +43,9 @@ class Notes {
          tr("On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.")},
         {"islands_left", tr("No label was free for the smallest islands: %1 stayed as they were.")},
         {"portal_vein.not_found", tr("No portal vein was found at its seeds.")},
-        {"hepatic_veins.hold_cava", tr("The hepatic veins are up to %1 mm wide: they have grown on into the "
-                                       "vena cava. Click the vena cava, "
-                                       "too, and segment again.")},
+        {"hepatic_veins.hold_cava",
+         tr("%1 ml of the hepatic veins lie outside of the liver: they have grown on into the vena cava. "
+            "Click the vena cava, too, and segment again.")},
         {"vena_cava.not_found", tr("No vena cava was found at its seeds: what there was stays.")},
         {"gallbladder.not_found", tr("No gallbladder was found at its seeds: what there was stays.")},
         {"liver.perhaps_mirrored",
