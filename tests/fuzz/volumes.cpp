@@ -2,12 +2,13 @@
 // fuzz_volumes COUNT: damages good volumes COUNT times a format, has them read by the program that reads
 // volumes, and prints a table: what was refused, in how many of these that program broke down, what was read
 // with the same voxels and place, and what was read as something else. Fails where the file could have told
-// that its voxels are others: bytes outside them were changed, lost or put in.
+// that its voxels are others: they are still others when its own are put back.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -23,8 +24,10 @@ namespace {
 using namespace glisson;
 namespace fs = std::filesystem;
 
+enum class Outcome { refused, reader_ended, same, other_voxels, other_place };
+
 struct Tally {
-  int refused = 0, broken = 0, same = 0, other_voxels = 0, other_place = 0;
+  std::map<Outcome, int> count;
   int untold = 0;  ///< of the other voxels: the file could have told
   double longest = 0.0;
 };
@@ -51,40 +54,34 @@ std::vector<Range> untellable(const std::string& name, const std::string& bytes)
   return {};
 }
 
-/// Whether something else of the file was changed, too, or its length (which text does not fix).
-bool could_tell(const std::string& name, const std::string& good, const std::string& bad) {
+/// The damaged file with good voxels again, where the two can be laid beside each other: what is then still
+/// read as other voxels, the file could have told. Bytes that came or went could be told, but for text, whose
+/// length nothing fixes.
+std::string with_good_voxels(const std::string& name, const std::string& good, std::string bad) {
+  const std::vector<Range> ranges = untellable(name, good);
+  if (good.size() == bad.size()) {
+    for (const Range& range : ranges)
+      std::copy_n(good.begin() + range.begin, range.end - range.begin, bad.begin() + range.begin);
+    return bad;
+  }
+  if (name != "a.vti") return bad;
   std::size_t begin = 0, behind = 0;
   const std::size_t shorter = std::min(good.size(), bad.size());
   while (begin < shorter && good[begin] == bad[begin]) ++begin;
   while (behind < shorter - begin && good[good.size() - 1 - behind] == bad[bad.size() - 1 - behind]) ++behind;
-  if (good.size() != bad.size() && name != "a.vti") return true;
-  const std::vector<Range> ranges = untellable(name, good);
-  const auto is_in = [](std::size_t at, const Range& range) { return at >= range.begin && at < range.end; };
-  for (std::size_t at = begin; at < good.size() - behind; ++at) {
-    const bool differs = good.size() != bad.size() || good[at] != bad[at];
-    const auto holds = [&](const Range& range) { return is_in(at, range); };
-    if (differs && std::none_of(ranges.begin(), ranges.end(), holds)) return true;
-  }
-  return false;
+  const bool is_within = begin >= ranges.front().begin && good.size() - behind <= ranges.front().end;
+  return is_within ? good : bad;
 }
 
-void read(const fs::path& path, const Image& good, bool is_told, Tally& tally) {
-  const auto begin = std::chrono::steady_clock::now();
+Outcome read(const fs::path& path, const Image& good) {
   try {
     const Image image = read_image(path, RunContext()).value();
-    if (!image.grid.same_as(good.grid)) {
-      ++tally.other_place;
-    } else {
-      const bool same = *image.voxels == *good.voxels;
-      ++(same ? tally.same : tally.other_voxels);
-      tally.untold += !same && is_told;
-    }
+    if (!image.grid.same_as(good.grid)) return Outcome::other_place;
+    return *image.voxels == *good.voxels ? Outcome::same : Outcome::other_voxels;
   } catch (const Error& error) {
-    ++tally.refused;
-    tally.broken += std::string(error.what()).find("broke down") != std::string::npos;
+    const bool ended = std::string(error.what()).find("broke down") != std::string::npos;
+    return ended ? Outcome::reader_ended : Outcome::refused;
   }
-  tally.longest = std::max(tally.longest,
-                           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
 }
 
 void write(const fs::path& path, const std::string& bytes) {
@@ -129,10 +126,17 @@ Tally run(const std::string& name, int count) {
   Tally tally;
   for (int n = 0; n < count; ++n) {
     const std::string bad = fuzz::damaged(bytes, random);
-    const int untold = tally.untold;
     write(victim, bad);
-    read(path, good, could_tell(name, bytes, bad), tally);
-    if (tally.untold != untold) keep(name, n, bad);
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome = read(path, good);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    tally.longest = std::max(tally.longest, took.count());
+    ++tally.count[outcome];
+    if (outcome != Outcome::other_voxels) continue;
+    write(victim, with_good_voxels(name, bytes, bad));
+    if (read(path, good) == Outcome::same) continue;
+    ++tally.untold;
+    keep(name, n, bad);
   }
   return tally;
 }
@@ -152,8 +156,13 @@ int main(int count, char** words) {
   int untold = 0;
   for (const char* name : {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vti", "dicom"}) {
     const Tally tally = run(name, std::atoi(words[1]));
-    std::printf("| %s | %s | %d | %d | %d | %d | %d | %d | %.1f s |\n", name, words[1], tally.refused,
-                tally.broken, tally.same, tally.other_voxels, tally.untold, tally.other_place, tally.longest);
+    const auto of = [&tally](Outcome outcome) {
+      return tally.count.contains(outcome) ? tally.count.at(outcome) : 0;
+    };
+    const int ended = of(Outcome::reader_ended);
+    std::printf("| %s | %s | %d | %d | %d | %d | %d | %d | %.1f s |\n", name, words[1],
+                of(Outcome::refused) + ended, ended, of(Outcome::same), of(Outcome::other_voxels),
+                tally.untold, of(Outcome::other_place), tally.longest);
     std::fflush(stdout);
     untold += tally.untold;
   }
