@@ -5719,6 +5719,14 @@
         <source>are no regular stack: %1 lies %2 mm from its place</source>
         <translation>sind kein gleichmäßiger Stapel: %1 liegt %2 mm neben ihrem Platz</translation>
     </message>
+    <message>
+        <source>is no field of a header</source>
+        <translation>ist kein Feld eines Dateikopfs</translation>
+    </message>
+    <message>
+        <source>contradicts BinaryDataByteOrderMSB</source>
+        <translation>widerspricht BinaryDataByteOrderMSB</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

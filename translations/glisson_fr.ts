@@ -5719,6 +5719,14 @@
         <source>are no regular stack: %1 lies %2 mm from its place</source>
         <translation>ne forment pas une pile régulière : %1 est à %2 mm de sa place</translation>
     </message>
+    <message>
+        <source>is no field of a header</source>
+        <translation>n&apos;est pas un champ d&apos;en-tête</translation>
+    </message>
+    <message>
+        <source>contradicts BinaryDataByteOrderMSB</source>
+        <translation>contredit BinaryDataByteOrderMSB</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

@@ -126,6 +126,9 @@ void LyingHeaderTest::Meta_data() {
   change("parallel axes", "1 0 0 0 1 0 0 0 1", "1 0 0 1 0 0 0 0 1", "TransformMatrix");
   change("fewer voxels than there are", "DimSize = 6 5 4", "DimSize = 6 5 2", "size");
   change("centimetres", "NDims = 3", "NDims = 3\nDistanceUnits = cm", "DistanceUnits");
+  change("a byte order that is none", "MSB = False", "MSB = 1.1", "BinaryDataByteOrderMSB");
+  change("two byte orders", "NDims = 3", "NDims = 3\nElementByteOrderMSB = True", "ElementByteOrderMSB");
+  change("a broken line", "MSB = False", "MSB  False", "BinaryDataByteOrderMSB  False");
   change("another scale", "NDims = 3", "NDims = 3\nElementToIntensityFunctionSlope = 0",
          "ElementToIntensityFunctionSlope");
 }

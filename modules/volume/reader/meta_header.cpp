@@ -28,6 +28,9 @@ Header header_of(const Request& request) {
   while (lines.next(line)) {
     header.end = lines.end();
     const std::size_t equals = line.find('=');
+    // The library reads on behind a broken line, with its defaults for what the line has said.
+    if (equals == std::string::npos && line.find_first_not_of(" \t") != std::string::npos)
+      refuse(request, line.substr(0, 40), "is no field of a header");
     if (equals == std::string::npos) continue;
     std::string name;
     std::istringstream(line.substr(0, equals)) >> name;
@@ -70,8 +73,10 @@ class MetaClaim {
   bool flag(const char* name, bool otherwise) const {
     const std::string text = value({name});
     if (text.empty()) return otherwise;
-    if (text[0] == 'T' || text[0] == 't' || text[0] == '1') return true;
-    if (text[0] == 'F' || text[0] == 'f' || text[0] == '0') return false;
+    for (const char* yes : {"True", "true", "TRUE", "T", "1"})
+      if (text == yes) return true;
+    for (const char* no : {"False", "false", "FALSE", "F", "0"})
+      if (text == no) return false;
     refuse(request_, name, "is neither True nor False");
   }
 
@@ -131,8 +136,16 @@ class MetaClaim {
              "is \"" + type.substr(0, 40) + "\", which is no number format that is known",
              "Export it as 16-bit integers");
     bytes_ = known->second;
+    check_byte_order();
     if (const std::string channels = value({"ElementNumberOfChannels"}); !channels.empty())
       claim_.components = sizes_in(request_, "ElementNumberOfChannels", channels, 1).front();
+  }
+
+  /// Either name tells it; this machine's is meant where neither is there.
+  void check_byte_order() const {
+    const bool binary = flag("BinaryDataByteOrderMSB", false), element = flag("ElementByteOrderMSB", binary);
+    if (name_of({"BinaryDataByteOrderMSB"}).empty() || binary == element) return;
+    refuse(request_, "ElementByteOrderMSB", "contradicts BinaryDataByteOrderMSB");
   }
 
   void check_data() const {

@@ -178,6 +178,8 @@ const std::vector<const char*>& file_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds what is no number of pixels"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is neither true nor false"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is neither True nor False"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is no field of a header"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "contradicts BinaryDataByteOrderMSB"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no description of a source"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not [x, y, width, height]"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not that of a server, which sends both views"),
