@@ -10169,6 +10169,10 @@
         <source>%1 frames/s</source>
         <translation>%1 Bilder/s</translation>
     </message>
+    <message>
+        <source>A former picture, not live.</source>
+        <translation>Ein früheres Bild, nicht live.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LoadTrialBox</name>

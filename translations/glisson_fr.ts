@@ -10169,6 +10169,10 @@
         <source>%1 frames/s</source>
         <translation>%1 images/s</translation>
     </message>
+    <message>
+        <source>A former picture, not live.</source>
+        <translation>Une image antérieure, pas en direct.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LoadTrialBox</name>

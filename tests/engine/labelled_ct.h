@@ -23,16 +23,19 @@ inline VolumeGrid small_grid() {
   return grid;
 }
 
+/// A CT that has one value everywhere.
+inline void write_ct(const std::filesystem::path& path, std::int16_t value) {
+  Image image;
+  image.grid = small_grid();
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
+      static_cast<std::size_t>(image.grid.voxel_count()), value);
+  write_image(path, image);
+}
+
 /// A case with an image, written as files: engines read it as a person's would be.
 class CtFolder {
  public:
-  CtFolder() {
-    Image image;
-    image.grid = small_grid();
-    std::vector<std::int16_t> voxels(static_cast<std::size_t>(image.grid.voxel_count()), 60);
-    image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
-    write_image(path() / "ct.nrrd", image);
-  }
+  CtFolder() { write_ct(path() / "ct.nrrd", 60); }
   std::filesystem::path path() const { return folder_.path(); }
 
  private:

@@ -3,9 +3,8 @@
 #include <QtTest>
 
 #include "gate.h"
-#include "glisson/editing/tools/paint.h"
-#include "glisson/editing/tools/threshold.h"
 #include "glisson/core/files.h"
+#include "glisson/editing/tools/threshold.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/export_labels.h"
 #include "glisson/engine/commands/import_image.h"
@@ -20,7 +19,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/review.h"
-#include "glisson/volume/io.h"
+#include "labelled_ct.h"
 #include "runners.h"
 #include "seeded_case.h"
 
@@ -28,28 +27,12 @@ using namespace glisson;
 using namespace glisson::engine;
 using editing::Edit;
 using test::Gate;
+using test::write_ct;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A CT of one value.
-void write_ct(const fs::path& path, std::int16_t value) {
-  Image image;
-  image.grid.size = {20, 18, 14};
-  image.grid.spacing_mm = {2.0, 2.0, 3.0};
-  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
-      static_cast<std::size_t>(image.grid.voxel_count()), value);
-  write_image(path, image);
-}
-
-Edit ball(double radius_mm) {
-  editing::Paint paint;
-  paint.label = structure::kParenchyma;
-  paint.brush = editing::Paint::Brush::ball;
-  paint.radius = 1e-3 * radius_mm;
-  paint.path = 1e-3 * Eigen::RowVector3d(20, 18, 21);
-  return {paint, {}};
-}
+Edit ball(double radius_mm) { return test::ball({40, 36, 42}, radius_mm); }
 
 /// All voxels between two values.
 Edit threshold(double low, double high) {
@@ -72,9 +55,7 @@ std::unique_ptr<Engine> held(Gate& gate) {
   return std::make_unique<Engine>(std::move(options));
 }
 
-Status done(Engine& engine, Command command) {
-  return engine.wait(engine.post(std::move(command))).status;
-}
+Status done(Engine& engine, Command command) { return test::done(engine, std::move(command)).status; }
 
 }  // namespace
 
@@ -113,7 +94,8 @@ void LateActsTest::WhatIsDoneWhileAnotherCaseOpensIsNotDoneToIt() {
   QCOMPARE(engine->wait(of_a_script).status, Status::done);  // meant for whatever case there is
   QCOMPARE(test::seed_of(engine->snapshot()->state), 0.2);
   QVERIFY(engine->snapshot()->case_number != shown);
-  QCOMPARE(engine->wait(engine->post(test::seeds(0.4), engine->snapshot()->case_number)).status, Status::done);
+  QCOMPARE(engine->wait(engine->post(test::seeds(0.4), engine->snapshot()->case_number)).status,
+           Status::done);
 }
 
 void LateActsTest::ACaseThatIsChosenWhileAnotherOpensIsOpened() {
@@ -142,7 +124,8 @@ void LateActsTest::LabelsThatNobodyHasSeenAreNotApproved() {
   const Outcome refused =
       engine.wait(engine.post(SetReview{structure::kParenchyma, ReviewState::approved, seen}));
   QCOMPARE(refused.status, Status::failed);
-  QVERIFY2(refused.error.find("has changed since it was looked at") != std::string::npos, refused.error.c_str());
+  QVERIFY2(refused.error.find("has changed since it was looked at") != std::string::npos,
+           refused.error.c_str());
   const auto& review = engine.snapshot()->state[part::review];
   QVERIFY(review->at(structure::kParenchyma) != ReviewState::approved);
   const auto now = engine.snapshot()->state[part::labels];

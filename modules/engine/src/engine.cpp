@@ -14,7 +14,6 @@
 #include "glisson/core/error.h"
 #include "glisson/core/file_failure.h"
 #include "glisson/core/stopwatch.h"
-#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/live.h"
 #include "job.h"
 #include "outcome_store.h"
@@ -375,14 +374,6 @@ struct Engine::Impl final : LiveLanes {
     }
   }
 };
-
-Services plain_services() { return {make_follower, make_load_trial, {}, {}}; }
-
-Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context,
-                           const Services& services) {
-  if (const auto first = obstacle(state, command)) throw error_of(*first);
-  return command.apply(state, context, services);
-}
 
 void Engine::Options::validate() const {
   require(frame_seconds > 0.0, "a frame takes some time");

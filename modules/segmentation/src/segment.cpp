@@ -249,7 +249,6 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
 /// Codes, not sentences: what a person should look at.
 void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodies,
                  SegmentationReport& report) {
-  const std::vector<GrownLesion>& lesions = bodies.lesions;
   if (report.liver_ml < 400.0) report.notes.emplace_back("liver.small");
   if (report.liver_ml > 4000.0) report.notes.emplace_back("liver.large");
   if (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0)
@@ -258,15 +257,14 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodie
     report.notes.emplace_back("hepatic_veins.not_found");
   if (anew.vena_cava && bodies.cava.count() == 0) report.notes.emplace_back("vena_cava.not_found");
   if (anew.gallbladder && bodies.gallbladder.count() == 0) report.notes.emplace_back("gallbladder.not_found");
-  for (std::size_t n = 0; n < report.lesion_ml.size(); ++n)
-    if (seeds.lesions[n].rows() > 0 && report.lesion_ml[n] == 0.0)
-      report.notes.push_back("lesion_" + std::to_string(n + 1) + ".not_found");
-  for (std::size_t n = 0; n < lesions.size(); ++n)
-    if (lesions[n].borderless && report.lesion_ml[n] > 0.0)
-      report.notes.push_back("lesion_" + std::to_string(n + 1) + ".as_drawn");
-  for (std::size_t n = 0; n < lesions.size(); ++n)
-    if (lesions[n].goes_on && report.lesion_ml[n] > 0.0)
-      report.notes.push_back("lesion_" + std::to_string(n + 1) + ".goes_on");
+  for (std::size_t n = 0; n < report.lesion_ml.size(); ++n) {
+    const std::string lesion = "lesion_" + std::to_string(n + 1);
+    const bool is_there = report.lesion_ml[n] > 0.0;
+    if (!is_there && seeds.lesions[n].rows() > 0) report.notes.push_back(lesion + ".not_found");
+    if (!is_there || n >= bodies.lesions.size()) continue;
+    if (bodies.lesions[n].borderless) report.notes.push_back(lesion + ".as_drawn");
+    if (bodies.lesions[n].goes_on) report.notes.push_back(lesion + ".goes_on");
+  }
 }
 
 bool is_in_liver(Label label) {

@@ -248,20 +248,19 @@ class Notes {
             {"liver_side", tr("the liver's side")},
             {"liver_back", tr("the liver's back")}};
   }
-  static QString lesion_not_found(const QString& lesion) {
-    return tr("%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to "
-              "tell its "
-              "diameter, or paint it.")
-        .arg(lesion);
-  }
-  static QString lesion_goes_on(const QString& lesion) {
-    return tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.")
-        .arg(lesion);
-  }
-  static QString lesion_as_drawn(const QString& lesion) {
-    return tr("%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it "
-              "in the slices.")
-        .arg(lesion);
+  /// Sentences by what a lesion's code ends in; %1 is its name.
+  static QList<std::pair<QString, QString>> of_lesions() {
+    return {
+        {".not_found",
+         tr("%1 was not found: nothing at its seeds differs from the liver. Drag across it in a "
+            "slice to tell its "
+            "diameter, or paint it.")},
+        {".goes_on", tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its "
+                        "diameter.")},
+        {".as_drawn", tr("%1: no border was found where its diameter was drawn. It is a ball of that "
+                         "diameter: check it "
+                         "in the slices.")},
+    };
   }
 };
 
@@ -296,7 +295,6 @@ QString note_text(std::string_view note) {
   const QStringList tokens = QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size()))
                                  .split(QRegularExpression(QStringLiteral("[ :]")));
   const QString& code = tokens.front();
-  const QString not_found = QStringLiteral(".not_found");
   const auto sentences = Notes::sentences();
   if (const auto known = sentences.find(code); known != sentences.end()) {
     QString text = *known;
@@ -309,17 +307,10 @@ QString note_text(std::string_view note) {
       text.replace(QStringLiteral("%%1").arg(i), value_text(tokens[i], decimals));
     return text;
   }
-  if (code.endsWith(not_found))
-    if (const QString structure = structure_named(code.chopped(not_found.size())); !structure.isEmpty())
-      return Notes::lesion_not_found(structure);
-  const QString goes_on = QStringLiteral(".goes_on");
-  if (code.endsWith(goes_on))
-    if (const QString structure = structure_named(code.chopped(goes_on.size())); !structure.isEmpty())
-      return Notes::lesion_goes_on(structure);
-  const QString as_drawn = QStringLiteral(".as_drawn");
-  if (code.endsWith(as_drawn))
-    if (const QString structure = structure_named(code.chopped(as_drawn.size())); !structure.isEmpty())
-      return Notes::lesion_as_drawn(structure);
+  for (const auto& [ending, sentence] : Notes::of_lesions())
+    if (code.endsWith(ending))
+      if (const QString structure = structure_named(code.chopped(ending.size())); !structure.isEmpty())
+        return sentence.arg(structure);
   QString text = readable_code(code.toStdString());
   for (qsizetype i = 1; i < tokens.size(); ++i) text += QLatin1Char(' ') + value_text(tokens[i]);
   return text;

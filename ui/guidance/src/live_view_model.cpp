@@ -399,6 +399,7 @@ void LiveViewModel::show_freshness() {
     return;
   }
   if (!shows_live_) {  // of a former playing, until the first picture of this one comes
+    banner = tr("A former picture, not live.");
     line = tr("Frame %1, not live").arg(shown_.index);
     is_fresh = QVariant(false);
     return;

@@ -52,6 +52,10 @@ namespace {
 constexpr int kControlsWidth = 360;
 constexpr QSize kLargestAtStart(1600, 1000);  ///< smaller screens are filled
 
+engine::SaveCase save_to(const std::filesystem::path& place) {
+  return {place, !place.empty()};  // a place that was chosen was asked about
+}
+
 }  // namespace
 
 MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
@@ -287,19 +291,13 @@ std::optional<std::filesystem::path> MainWindow::ask_place() {
   return path.toStdString();
 }
 
-void MainWindow::save() {
-  if (const auto path = place_to_save())
-    running_->before(RunningWork::saving([this, path] {
-      engine_.post(engine::SaveCase{*path, !path->empty()});
-    }));
+void MainWindow::save_into(const std::optional<std::filesystem::path>& place) {
+  if (place) running_->before(RunningWork::saving([this, place] { engine_.post(save_to(*place)); }));
 }
 
-void MainWindow::save_as() {
-  if (const auto path = ask_place())
-    running_->before(RunningWork::saving([this, path] {
-      engine_.post(engine::SaveCase{*path, !path->empty()});
-    }));
-}
+void MainWindow::save() { save_into(place_to_save()); }
+
+void MainWindow::save_as() { save_into(ask_place()); }
 
 void MainWindow::export_labels() {
   const QString path =
@@ -412,7 +410,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   if (answer != QMessageBox::Save) return;
   if (const auto path = place_to_save())
-    closing_save_ = engine_.post(engine::SaveCase{*path, !path->empty()});  // closes when the outcome comes
+    closing_save_ = engine_.post(save_to(*path));  // closes when the outcome comes
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

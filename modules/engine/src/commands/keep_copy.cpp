@@ -14,7 +14,7 @@ namespace {
 
 /// The former copy is none from now on where it is of another case: the new one must never stand under its
 /// name.
-void part_from_former(const std::filesystem::path& said, const std::string& of) {
+void disown_former(const std::filesystem::path& said, const std::string& of) {
   try {
     if (read_json(said).at("of") == of) return;
   } catch (const std::exception&) {  // there is none, or none that could be offered
@@ -38,7 +38,7 @@ Cancellable<Applied> KeepCopy::apply(const CaseState& state, const RunContext& c
   SavedImage& known = saved ? *saved : none;
   if (keeping && !known.knows(state)) known = keeping->image;
   const std::string of = state.path.empty() ? "" : case_place(state.path).string();
-  part_from_former(folder / kSaidName, of);
+  disown_former(folder / kSaidName, of);
   if (!save_case(folder / kCopyName, state, context, known)) return {};
   write_json(folder / kSaidName, {{"of", of},
                                   {"edition", keeping ? keeping->edition : std::string()},

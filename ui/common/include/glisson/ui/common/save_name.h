@@ -7,8 +7,8 @@
 class QWidget;
 
 /// @file
-/// Asking for a place to write. A system's dialog asks about the name that was typed, not about the one that an
-/// ending is added to: what lay there was replaced unasked.
+/// Asking for a place to write. A system's dialog asks about the name that was typed, not about the one that
+/// an ending is added to: what lay there was replaced unasked.
 
 namespace glisson::ui {
 

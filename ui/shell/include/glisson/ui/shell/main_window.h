@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
   void export_surfaces();
   void save();
   void save_as();
+  /// None: nothing is saved. Asks first where work is going on.
+  void save_into(const std::optional<std::filesystem::path>& place);
   /// Empty path: where the case lies. None: no place was chosen.
   std::optional<std::filesystem::path> place_to_save();
   std::optional<std::filesystem::path> ask_place();
