@@ -2,6 +2,7 @@
 #include "glisson/volume/shells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 #include <set>
@@ -68,9 +69,10 @@ class Pieces {
     const int number = static_cast<int>(shells_.pieces.size()), shell = shell_of(seed);
     Shells::Piece piece;
     std::vector<std::size_t> stack{seed};
-    std::set<int> parents;
+    // A step across a voxel's corner is longer than a shell is thick: where only such steps lead on, the
+    // piece hangs on the shell before the last one.
+    std::array<Below, 2> below;
     double count = 0.0, nearest = kFar;
-    float best = kFar;
     shells_.piece[seed] = number;
     while (!stack.empty()) {
       const std::size_t at = stack.back();
@@ -83,22 +85,34 @@ class Pieces {
         if (there == shell && shells_.piece[other] < 0) {
           shells_.piece[other] = number;
           stack.push_back(other);
-        } else if (there == shell - 1) {
-          parents.insert(shells_.piece[other]);
-          if (distance_[other] < best) best = distance_[other], piece.parent = shells_.piece[other];
+        } else if (there == shell - 1 || there == shell - 2) {
+          below[static_cast<std::size_t>(shell - 1 - there)].add(shells_.piece[other], distance_[other]);
         }
       });
     }
+    const Below& before = below[below[0].nearest < 0 ? 1 : 0];
+    piece.parent = before.nearest;
     piece.centre /= count;
     piece.distance_mm = std::max(0.0, nearest);
     piece.volume_mm3 = count * shells_.grid.spacing_mm.prod();
     piece.area_mm2 = piece.volume_mm3 / shells_.thickness_mm;
-    if (parents.size() > 1) shells_.loops += static_cast<int>(parents.size()) - 1;
+    if (before.pieces.size() > 1) shells_.loops += static_cast<int>(before.pieces.size()) - 1;
     shells_.pieces.push_back(piece);
     if (piece.parent >= 0) shells_.pieces[static_cast<std::size_t>(piece.parent)].children.push_back(number);
   }
 
  private:
+  /// Pieces of a shell nearer to the root that a piece touches, and the one with the nearest voxel.
+  struct Below {
+    std::set<int> pieces;
+    int nearest = -1;
+    float distance = kFar;
+    void add(int piece, float far) {
+      pieces.insert(piece);
+      if (far < distance) distance = far, nearest = piece;
+    }
+  };
+
   Eigen::Vector3d place_of(std::size_t at) const {
     const auto nx = static_cast<std::size_t>(shells_.grid.size.x()),
                slice = nx * static_cast<std::size_t>(shells_.grid.size.y());
