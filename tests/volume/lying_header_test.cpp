@@ -31,6 +31,7 @@ class LyingHeaderTest : public QObject {
   void PackedMetaImagesTellTheirSize();
   void NumbersAsTextAreCounted();
   void FilesElsewhereAreNotFollowed();
+  void TheLastBytesAreReadWhereTheHeaderSaysSo();
   void BytesPutInAreToldFromPadding_data();
   void BytesPutInAreToldFromPadding();
 };
@@ -291,6 +292,27 @@ void LyingHeaderTest::NumbersAsTextAreCounted() {
     write_file_atomically(path, bad);
     QCOMPARE(field_of(path), QString("voxels"));
   }
+}
+
+void LyingHeaderTest::TheLastBytesAreReadWhereTheHeaderSaysSo() {
+  const TemporaryFolder folder;
+  const std::string voxels = bytes_of(test::stored_world(0)), before(25, 'h');
+  write_file_atomically(folder.path() / "long.raw", before + voxels);
+  write_file_atomically(folder.path() / "short.raw", voxels.substr(1));
+  const auto nrrd = [&](const std::string& file) {
+    const fs::path path = folder.path() / "a.nhdr";
+    write_file_atomically(path, replaced(kNrrd, "\n\n", "\nbyte skip: -1\ndata file: " + file + "\n\n"));
+    return path;
+  };
+  const auto meta = [&](const std::string& file) {
+    const fs::path path = folder.path() / "a.mhd";
+    write_file_atomically(path, replaced(replaced(kMeta, "LOCAL", file), "NDims", "HeaderSize = -1\nNDims"));
+    return path;
+  };
+  QVERIFY(test::shows_world(read_image(nrrd("long.raw"), RunContext()).value()));
+  QVERIFY(test::shows_world(read_image(meta("long.raw"), RunContext()).value()));
+  QCOMPARE(field_of(nrrd("short.raw")), QString("voxels"));
+  QCOMPARE(field_of(meta("short.raw")), QString("voxels"));
 }
 
 void LyingHeaderTest::FilesElsewhereAreNotFollowed() {

@@ -178,6 +178,7 @@ void check_stored(const Request& request, const Stored& stored) {
   }
   if (bytes < stored.bytes)
     throw InputError(request.name, "voxels", "end early: the file is damaged", "Export it again");
+  if (stored.at_end) return;  // what lies before them is passed over
   if (bytes >= stored.bytes + stored.row_bytes ||
       (!stored.packed && !is_padding(stored.file, stored.offset + static_cast<std::uintmax_t>(stored.bytes))))
     throw InputError(request.name, "size",

@@ -46,6 +46,7 @@ std::vector<int> sizes_in(const Request& request, const std::string& field, cons
 struct Stored {
   std::filesystem::path file;
   std::uintmax_t offset = 0;  ///< where they begin
+  bool at_end = false;        ///< the last so many bytes are meant, wherever they begin
   bool packed = false;        ///< by zlib or gzip
   double bytes = 0.0;         ///< unpacked
   double row_bytes = 1.0;     ///< what is over by less than that is no sign of a wrong header

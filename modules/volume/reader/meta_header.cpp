@@ -167,7 +167,7 @@ class MetaClaim {
         refuse(request_, "HeaderSize", "is " + skip.substr(0, 40) + ", beyond what the file holds",
                "Correct it to 0");
       if (bytes < 0.0)
-        stored.row_bytes = 1e18;  // the last bytes are meant
+        stored.at_end = true;
       else
         stored.offset += static_cast<std::uintmax_t>(bytes);
     }

@@ -206,7 +206,7 @@ class NrrdClaim {
       if (packed_ || bytes < -1.0)
         refuse(request_, "byte skip", "is not read here", "Write the data without bytes before them");
       if (bytes < 0.0)
-        stored.row_bytes = 1e18;  // the last bytes are meant
+        stored.at_end = true;
       else
         stored.offset += static_cast<std::uintmax_t>(std::min(bytes, 1e18));
     }
