@@ -22,6 +22,7 @@ class HostileTest : public QObject {
   void TheReaderIsConfined();
   void WhatATakenReaderLeavesIsNotTrusted();
   void ArchivesAreUnpackedAsTarDoes();
+  void OldArchivesTellAFolderByItsSlash();
   void ArchivesStayInTheirFolder();
   void DamagedArchivesAreRefused();
   void BombsAreToldEarly();
@@ -112,6 +113,13 @@ void HostileTest::ArchivesAreUnpackedAsTarDoes() {
       QCOMPARE(std::system(command.c_str()), 0);
       QVERIFY2(test::shows_world(read_image(archive, RunContext()).value()), command.c_str());
     }
+}
+
+void HostileTest::OldArchivesTellAFolderByItsSlash() {
+  const TemporaryFolder folder;
+  const fs::path archive = folder.path() / "a.tar";
+  write_file_atomically(archive, test::tar_entry("series/", "", '\0') + series_as_tar() + test::tar_end());
+  QVERIFY(test::shows_world(read_image(archive, RunContext()).value()));
 }
 
 void HostileTest::ArchivesStayInTheirFolder() {

@@ -163,7 +163,8 @@ class Unpacker {
   }
 
   void take(const Entry& entry) {
-    const bool is_file = entry.kind == '0' || entry.kind == '7';
+    // Archives older than ustar tell a folder by the slash behind its name.
+    const bool is_file = (entry.kind == '0' || entry.kind == '7') && !entry.name.ends_with('/');
     const OpenFile file(is_file ? folder_.make(entry.name) : -1);
     std::array<char, 128 * kBlock> buffer{};
     for (std::uint64_t left = entry.size; left > 0;) {
