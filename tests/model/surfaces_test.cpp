@@ -40,6 +40,7 @@ class SurfacesTest : public QObject {
   void EachComponentIsALesion();
   void TumoursComeBeforeCysts();
   void SecondFormatIsIgnoredAndReported();
+  void OneNameWrittenTwoWaysIsOneSurface();
   void OneFileIsTheLiver();
   void WrongUnitIsRefusedWithTheRightOne();
   void FolderWithoutLiverIsRefused();
@@ -105,6 +106,19 @@ void SurfacesTest::SecondFormatIsIgnoredAndReported() {
   const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
   QVERIFY(std::abs(volume(set.liver) / volume(kLiver) - 1.0) < 1e-9);
   QVERIFY(says(set.notes, "surfaces.of_one_name liver.ply"));
+}
+
+void SurfacesTest::OneNameWrittenTwoWaysIsOneSurface() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.vtk", kLiver);
+  save(folder.path() / "Portal Vein.vtk", test::sphere(0.01, 1));
+  save(folder.path() / "portal_vein.ply", test::sphere(0.01, 1));
+  const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
+  QCOMPARE(set.others.size(), std::size_t{1});
+  QVERIFY(says(set.notes, "surfaces.of_one_name portal_vein.ply"));
+  save(folder.path() / "portal-vein.vtk", test::sphere(0.01, 1));
+  QVERIFY(complaint(folder.path(), LengthUnit::millimetre)
+              .find("is named twice: Portal Vein.vtk and portal-vein.vtk") != std::string::npos);
 }
 
 void SurfacesTest::OneFileIsTheLiver() {

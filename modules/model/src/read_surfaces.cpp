@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "anatomy.h"
@@ -31,10 +32,16 @@ struct Meaning {
   Label structure = 0;  ///< of lesions: 0 where the name tells no number
 };
 
-std::optional<Meaning> meaning_of(std::string stem) {
-  stem = lower_case(std::move(stem));
+/// A file's stem or a key as it is compared: "Portal Vein" is portal_vein.
+std::string plain(std::string name) {
+  name = lower_case(std::move(name));
   std::replace_if(
-      stem.begin(), stem.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+      name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  return name;
+}
+
+std::optional<Meaning> meaning_of(const std::string& name) {
+  const std::string stem = plain(name);
   static const std::map<std::string, Meaning> kMeanings = {
       {"liver", {Role::liver, structure::kParenchyma}},
       {"portal_vein", {Role::vessel, structure::kPortalVein}},
@@ -62,26 +69,31 @@ std::optional<Meaning> meaning_of(std::string stem) {
   return found->second;
 }
 
-/// One file a structure: where a folder has several formats of it, the first of kExtensions.
+/// One file a name: where a folder has several formats of it, the first of kExtensions. @throws InputError
+/// two of one name and format: a vessel's beams would be there twice.
 std::map<std::string, fs::path> files_in(const fs::path& folder, std::vector<std::string>& notes) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file() &&
         std::find(kExtensions.begin(), kExtensions.end(), lower_extension(entry.path())) != kExtensions.end())
       files.push_back(entry.path());
-  const auto rank = [](const fs::path& path) {
-    return std::find(kExtensions.begin(), kExtensions.end(), lower_extension(path)) - kExtensions.begin();
+  const auto order = [](const fs::path& path) {
+    const auto rank = std::find(kExtensions.begin(), kExtensions.end(), lower_extension(path));
+    return std::tuple(plain(path.stem().string()), rank - kExtensions.begin(), path.filename());
   };
-  std::sort(files.begin(), files.end(), [&](const fs::path& a, const fs::path& b) {
-    return std::pair(a.stem(), rank(a)) < std::pair(b.stem(), rank(b));
-  });
+  std::sort(files.begin(), files.end(),
+            [&](const fs::path& a, const fs::path& b) { return order(a) < order(b); });
   std::map<std::string, fs::path> chosen;
   for (const fs::path& file : files) {
-    const std::string stem = file.stem().string(), name = file.filename().string();
+    const std::string stem = plain(file.stem().string()), name = file.filename().string();
     if (!meaning_of(stem)) {
       notes.push_back("surfaces.ignored " + name);
     } else if (const auto [taken, is_first] = chosen.emplace(stem, file); !is_first) {
-      notes.push_back("surfaces.of_one_name " + name + " " + taken->second.filename().string());
+      const std::string other = taken->second.filename().string();
+      if (lower_extension(file) == lower_extension(taken->second))
+        throw InputError(folder.string(), stem, "is named twice: " + other + " and " + name,
+                         "Keep one of them");
+      notes.push_back("surfaces.of_one_name " + name + " " + other);
     }
   }
   return chosen;
