@@ -55,7 +55,9 @@ int subdomain_at(const MesherInput& input, const Eigen::Vector3d& p) {
   if (input.body.at(p) <= 0.0) return 0;
   for (std::size_t n = 0; n < input.inclusions.size(); ++n) {
     const ScalarField& field = input.inclusions[n].second;
-    if ((p.array() >= field.low().array() - 2e-3).all() && (p.array() <= field.high().array() + 2e-3).all() &&
+    // low() and high() are samples: the zero level lies up to a cell beyond them.
+    const double cell = 1e-3 * field.grid().spacing_mm.norm();
+    if ((p.array() >= field.low().array() - cell).all() && (p.array() <= field.high().array() + cell).all() &&
         field.at(p) > 0.0)
       return static_cast<int>(n) + 2;
   }

@@ -25,7 +25,7 @@ class ScalarField {
   const std::vector<float>& values() const { return values_; }
   bool empty() const { return values_.empty(); }
 
-  /// Corners of the axis-parallel box (CT, metres) around what is inside.
+  /// Corners of the axis-parallel box (CT, metres) around the samples that are inside.
   Eigen::Vector3d low() const { return low_; }
   Eigen::Vector3d high() const { return high_; }
   /// Cubic metres inside, counted by voxels with their fraction.
