@@ -9022,6 +9022,10 @@
         <translation>--%1, --%2: Geben Sie eines davon an.</translation>
     </message>
     <message>
+        <source>--%1: needs labels. Give --%2 FILE.</source>
+        <translation>--%1: braucht Labels. Geben Sie --%2 DATEI an.</translation>
+    </message>
+    <message>
         <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>
         <translation>Segmentiert die Leber, ihre Gefäße und Läsionen von Saatpunkten aus oder mit Ihrem eigenen Netz.</translation>
     </message>

@@ -9022,6 +9022,10 @@
         <translation>--%1, --%2 : donnez l&apos;un des deux.</translation>
     </message>
     <message>
+        <source>--%1: needs labels. Give --%2 FILE.</source>
+        <translation>--%1 : il faut des étiquettes. Donnez --%2 FICHIER.</translation>
+    </message>
+    <message>
         <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>
         <translation>Segmente le foie, ses vaisseaux et ses lésions à partir de germes, ou par votre propre réseau.</translation>
     </message>
