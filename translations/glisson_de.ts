@@ -4656,6 +4656,14 @@
         <translation>ist weder mm noch cm noch m</translation>
     </message>
     <message>
+        <source>is RAS: x and y run the other way than in LPS</source>
+        <translation>ist RAS: x und y laufen umgekehrt wie in LPS</translation>
+    </message>
+    <message>
+        <source>the liver lies to the left of the vena cava: mirrored, or RAS</source>
+        <translation>die Leber liegt links der Vena cava: gespiegelt, oder RAS</translation>
+    </message>
+    <message>
         <source>lies elsewhere than the liver in %1</source>
         <translation>liegt anderswo als die Leber in %1</translation>
     </message>
@@ -6421,6 +6429,14 @@
         <translation>Segmente, von denen die Datei nicht sagt, dass sie zur Leber gehören, wurden weggelassen: %*.</translation>
     </message>
     <message>
+        <source>Labels of which the codes say nothing were left out: %*.</source>
+        <translation>Labels, über die die Codes nichts sagen, wurden weggelassen: %*.</translation>
+    </message>
+    <message>
+        <source>The file does not say what its numbers mean. They were taken as Glisson&apos;s own: %*. If they mean something else, import it again by &apos;glisson model --labels FILE --codes FILE&apos;.</source>
+        <translation>Die Datei sagt nicht, was ihre Zahlen bedeuten. Sie wurden als Glissons eigene genommen: %*. Bedeuten sie etwas anderes, mit „glisson model --labels DATEI --codes DATEI“ erneut importieren.</translation>
+    </message>
+    <message>
         <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, keep this look and add another one, or place it by hand.</source>
         <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte. Markieren Sie die Kerbe, zeigen Sie mehr vom Organ, merken Sie diesen Blick und fügen Sie einen weiteren hinzu, oder platzieren Sie es von Hand.</translation>
     </message>
@@ -6459,6 +6475,18 @@
     <message>
         <source>No vena cava was found at its seeds: what there was stays.</source>
         <translation>An ihren Klicks wurde keine Hohlvene gefunden: Was da war, bleibt.</translation>
+    </message>
+    <message>
+        <source>The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. Check it in the slices.</source>
+        <translation>Die Gallenblase hat %1 ml: Sie ist vielleicht in Flüssigkeit oder Darm daneben übergelaufen. In den Schichten prüfen.</translation>
+    </message>
+    <message>
+        <source>Only %1 ml of the vena cava were found: its seeds may lie in a clot or tumour. Click it elsewhere, too, and segment again.</source>
+        <translation>Nur %1 ml der Hohlvene wurden gefunden: ihre Saatpunkte liegen vielleicht in einem Gerinnsel oder Tumor. Auch anderswo hineinklicken und neu segmentieren.</translation>
+    </message>
+    <message>
+        <source>%1 ml of the hepatic veins lie outside of the liver: perhaps in a part of the vena cava that its seeds did not find. Click the vena cava there, too, and segment again.</source>
+        <translation>%1 ml der Lebervenen liegen außerhalb der Leber: vielleicht in einem Teil der Hohlvene, den deren Saatpunkte nicht fanden. Auch dort in die Hohlvene klicken und neu segmentieren.</translation>
     </message>
     <message>
         <source>No gallbladder was found at its seeds: what there was stays.</source>
@@ -8992,6 +9020,10 @@
     <message>
         <source>--%1, --%2: give one of them.</source>
         <translation>--%1, --%2: Geben Sie eines davon an.</translation>
+    </message>
+    <message>
+        <source>--%1: needs labels. Give --%2 FILE.</source>
+        <translation>--%1: braucht Labels. Geben Sie --%2 DATEI an.</translation>
     </message>
     <message>
         <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>

@@ -4656,6 +4656,14 @@
         <translation>n’est ni mm, ni cm, ni m</translation>
     </message>
     <message>
+        <source>is RAS: x and y run the other way than in LPS</source>
+        <translation>est RAS : x et y vont dans l’autre sens qu’en LPS</translation>
+    </message>
+    <message>
+        <source>the liver lies to the left of the vena cava: mirrored, or RAS</source>
+        <translation>le foie est à gauche de la veine cave : inversé, ou RAS</translation>
+    </message>
+    <message>
         <source>lies elsewhere than the liver in %1</source>
         <translation>est ailleurs que le foie dans %1</translation>
     </message>
@@ -6421,6 +6429,14 @@
         <translation>Des segments dont le fichier ne dit pas qu’ils relèvent du foie ont été laissés de côté : %*.</translation>
     </message>
     <message>
+        <source>Labels of which the codes say nothing were left out: %*.</source>
+        <translation>Des étiquettes dont les codes ne disent rien ont été laissées de côté : %*.</translation>
+    </message>
+    <message>
+        <source>The file does not say what its numbers mean. They were taken as Glisson&apos;s own: %*. If they mean something else, import it again by &apos;glisson model --labels FILE --codes FILE&apos;.</source>
+        <translation>Le fichier ne dit pas ce que signifient ses nombres. Ils ont été pris pour ceux de Glisson : %*. S’ils signifient autre chose, réimportez-le par « glisson model --labels FICHIER --codes FICHIER ».</translation>
+    </message>
+    <message>
         <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, keep this look and add another one, or place it by hand.</source>
         <translation>Avec une probabilité de %1 % (limite %2 %), l’organe se trouve à plus de 2 cm d’ici : d’autres positions expliquent aussi les points. Marquez l’échancrure, montrez davantage de l’organe, gardez cette vue et ajoutez-en une autre, ou placez-le à la main.</translation>
     </message>
@@ -6459,6 +6475,18 @@
     <message>
         <source>No vena cava was found at its seeds: what there was stays.</source>
         <translation>Aucune veine cave n&apos;a été trouvée à ses points : ce qui existait reste.</translation>
+    </message>
+    <message>
+        <source>The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. Check it in the slices.</source>
+        <translation>La vésicule a %1 ml : elle a peut-être débordé dans du liquide ou de l’intestin voisin. Vérifiez-la dans les coupes.</translation>
+    </message>
+    <message>
+        <source>Only %1 ml of the vena cava were found: its seeds may lie in a clot or tumour. Click it elsewhere, too, and segment again.</source>
+        <translation>Seuls %1 ml de la veine cave ont été trouvés : ses germes sont peut-être dans un caillot ou une tumeur. Cliquez-la ailleurs aussi et segmentez à nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 ml of the hepatic veins lie outside of the liver: perhaps in a part of the vena cava that its seeds did not find. Click the vena cava there, too, and segment again.</source>
+        <translation>%1 ml des veines hépatiques sont en dehors du foie : peut-être dans une partie de la veine cave que ses germes n’ont pas trouvée. Cliquez la veine cave là aussi et segmentez à nouveau.</translation>
     </message>
     <message>
         <source>No gallbladder was found at its seeds: what there was stays.</source>
@@ -8992,6 +9020,10 @@
     <message>
         <source>--%1, --%2: give one of them.</source>
         <translation>--%1, --%2 : donnez l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>--%1: needs labels. Give --%2 FILE.</source>
+        <translation>--%1 : il faut des étiquettes. Donnez --%2 FICHIER.</translation>
     </message>
     <message>
         <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>

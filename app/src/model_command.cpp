@@ -74,6 +74,14 @@ void declare_model_command(Arguments& arguments) {
   arguments.option("format", Cli::tr("Of these surfaces: stl, ply, obj or vtp."), "FORMAT", "stl");
 }
 
+/// What would be left unread without a word.
+void refuse_idle_options(const Arguments& arguments) {
+  if (arguments.has("codes") && !arguments.has("labels"))
+    throw UsageError(Cli::tr("--%1: needs labels. Give --%2 FILE.").arg("codes", "labels").toStdString());
+  if (arguments.has("labels") && arguments.has("surfaces"))
+    throw UsageError(Cli::tr("--%1, --%2: give one of them.").arg("labels", "surfaces").toStdString());
+}
+
 model::ModelOptions options_of(const Arguments& arguments) {
   model::ModelOptions options;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
@@ -111,6 +119,7 @@ int run_model(const QStringList& given) {
                       Cli::tr("Builds the biomechanical model: tetrahedra, vessels, anterior margin."));
   declare_model_command(arguments);
   if (!arguments.parse(given)) return 0;
+  refuse_idle_options(arguments);
   const model::ModelOptions options = options_of(arguments);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   const std::string ending = surface_ending(arguments);

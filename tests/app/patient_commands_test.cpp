@@ -258,6 +258,11 @@ void PatientCommandsTest::AModelComesFromAListOfSurfacesAndItsTreesAreEdited() {
   QCOMPARE(run({"model", "--surfaces", "list.json", "--case", "a.glisson", "--edge", "25"}).code, 0);
   refused({"model", "--surfaces", "list.json", "--case", "b.glisson", "--tree-edits", "none.json"},
           "none.json");
+  // What would be left unread.
+  const QStringList model = {"model", "--surfaces", "list.json", "--case", "b.glisson"};
+  write_text(at("codes.json"), R"({"1": "parenchyma"})");
+  refused(model + QStringList{"--labels", "l.nii"}, "--labels, --surfaces: give one of them", 2);
+  refused(model + QStringList{"--codes", "codes.json"}, "--codes: needs labels", 2);
   write_text(at("edits.json"), R"({"edits": [{"edit": "prune", "at": [0, 0, 0]}]})");
   // A bare liver has no vessel to prune.
   refused({"model", "--surfaces", "list.json", "--case", "b.glisson", "--tree-edits", "edits.json"},

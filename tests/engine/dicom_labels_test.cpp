@@ -137,8 +137,13 @@ void DicomLabelsTest::NamedSegmentsOfOthersAreTakenByTheirMeaning() {
   QCOMPARE(taken.at({4, 3, 2}), structure::kBackground);
   QCOMPARE(outcome->notes, (std::vector<std::string>{"labels.segments_left_out Milz links"}));
   QCOMPARE(script_->state()[part::review]->at(structure::kPortalVein), ReviewState::approved);
-  // Numbers that a person gives come first.
-  QVERIFY(script_->run(ImportLabels{at("theirs.seg.nrrd"), {{2, structure::kParenchyma}}})->notes.empty());
+  // Numbers that a person gives come first; what they leave out is told.
+  const auto given = script_->run(ImportLabels{at("theirs.seg.nrrd"), {{2, structure::kParenchyma}}});
+  QCOMPARE(given->notes.size(), std::size_t{1});
+  const std::string& left_out = given->notes.front();
+  QVERIFY2(left_out.starts_with("labels.codes_left_out 1 Leber ("), left_out.c_str());
+  QVERIFY2(left_out.find("4 Milz links (") != std::string::npos, left_out.c_str());
+  QVERIFY2(left_out.find("Tumor") == std::string::npos, left_out.c_str());
   QCOMPARE(script_->state()[part::labels]->voxels.at({2, 2, 2}), structure::kParenchyma);
   QCOMPARE(script_->state()[part::labels]->voxels.at({1, 1, 1}), structure::kBackground);
 }
@@ -159,14 +164,18 @@ void DicomLabelsTest::NamedSegmentsThatMeanNothingAreRefused() {
 void DicomLabelsTest::NumbersWithoutForeignNamesAreTaken() {
   const std::vector<LabelInfo> own = {structure_info(structure::kParenchyma),
                                       structure_info(structure::kPortalVein), structure_info(kThird)};
-  for (const std::vector<LabelInfo>& infos : {own, std::vector<LabelInfo>()}) {
-    write_labels(at("a.seg.nrrd"), labels_, infos);
-    QVERIFY(script_->run(ImportLabels{at("a.seg.nrrd"), {}})->notes.empty());
+  write_labels(at("a.seg.nrrd"), labels_, own);
+  QVERIFY(script_->run(ImportLabels{at("a.seg.nrrd"), {}})->notes.empty());
+  QVERIFY(script_->state()[part::labels]->voxels == labels_);
+  // In others' files 2 is the tumour, as often as not: what the numbers were taken for is told.
+  for (const char* name : {"nameless.seg.nrrd", "a.nii"}) {
+    write_labels(at(name), labels_, {});
+    const auto outcome = script_->run(ImportLabels{at(name), {}});
+    QCOMPARE(outcome->notes,
+             (std::vector<std::string>{"labels.by_number 1 parenchyma, 2 portal_vein, " +
+                                       std::to_string(kThird) + ' ' + structure_name(kThird)}));
     QVERIFY(script_->state()[part::labels]->voxels == labels_);
   }
-  write_labels(at("a.nii"), labels_, {});
-  script_->run(ImportLabels{at("a.nii"), {}});
-  QVERIFY(script_->state()[part::labels]->voxels == labels_);
 }
 
 void DicomLabelsTest::NamedSegmentsThatLieMirroredAreRefused() {

@@ -53,6 +53,10 @@ class SurfacesTest : public QObject {
   void SwappedStructuresAreRefused();
   void OtherUnitOfAVesselIsRefused();
   void OtherFrameOfAVesselIsRefused();
+  void VesselsNamedTwiceAreRefused();
+  void PiecesOfOneVesselAreOne();
+  void MirroredSurfacesAreRefused();
+  void SurfacesThatSayRasAreRefused();
   void SurfacesBecomeAModel();
   void LesionOutsideTheLiverIsReported();
   void VesselOutsideTheLiverIsReported();
@@ -237,6 +241,58 @@ void SurfacesTest::OtherFrameOfAVesselIsRefused() {
   save(folder.path() / "portal_vein.stl", test::moved(test::torus(0.03, 0.005, 30, 12), {0.4, 0, 0}));
   const std::string said = complaint(folder.path(), LengthUnit::millimetre);
   QVERIFY(said.find("portal_vein.stl") != std::string::npos && said.find("one frame") != std::string::npos);
+}
+
+/// Read twice, a vessel would be twice as stiff.
+void SurfacesTest::VesselsNamedTwiceAreRefused() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.vtk", kLiver);
+  save(folder.path() / "portal_vein.stl", test::torus(0.03, 0.005, 30, 12));
+  save(folder.path() / "portal_veins.stl", test::torus(0.03, 0.005, 30, 12));
+  const std::string told = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY2(
+      told.find("portal_vein: is named twice: portal_vein.stl and portal_veins.stl") != std::string::npos,
+      told.c_str());
+}
+
+void SurfacesTest::PiecesOfOneVesselAreOne() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.vtk", kLiver);
+  const TriangleMesh left = test::torus(0.01, 0.004, 30, 12), right = test::moved(left, {0.03, 0, 0});
+  save(folder.path() / "left.vtk", left);
+  save(folder.path() / "right.vtk", right);
+  write_file_atomically(
+      folder.path() / "list.json",
+      R"({"structures": {"liver": "liver.vtk", "portal_vein": ["left.vtk", "right.vtk"]}})");
+  const model::SurfaceSet set = model::read_surfaces(folder.path() / "list.json", LengthUnit::millimetre);
+  QCOMPARE(set.others.size(), std::size_t{1});
+  QCOMPARE(set.others[0].structure, structure::kPortalVein);
+  QCOMPARE(set.others[0].mesh.triangle_count(), left.triangle_count() + right.triangle_count());
+  QVERIFY(std::abs(volume(set.others[0].mesh) / (2.0 * volume(left)) - 1.0) < 1e-6);
+}
+
+/// Axes that run to the right and the front (RAS) are the commonest slip; a mirrored export looks the same.
+void SurfacesTest::MirroredSurfacesAreRefused() {
+  const TriangleMesh cava = test::box({0.02, 0.02, 0.2});
+  for (const double x : {0.03, -0.03}) {
+    TemporaryFolder folder;
+    save(folder.path() / "liver.vtk", kLiver);
+    save(folder.path() / "vena_cava.vtk", test::moved(cava, {x, 0, 0}));
+    const std::string told = complaint(folder.path(), LengthUnit::millimetre);
+    QCOMPARE(told.find("to the left of the vena cava") != std::string::npos, x < 0.0);
+  }
+}
+
+void SurfacesTest::SurfacesThatSayRasAreRefused() {
+  for (const char* space : {"LPS", "RAS"}) {
+    TemporaryFolder folder;
+    save(folder.path() / "liver.ply", kLiver);
+    std::string bytes = read_file(folder.path() / "liver.ply");
+    bytes.insert(bytes.find("element"), std::string("comment SPACE=") + space + '\n');
+    write_file_atomically(folder.path() / "liver.ply", bytes);
+    const std::string told = complaint(folder.path() / "liver.ply", LengthUnit::millimetre);
+    QCOMPARE(told.find("SPACE: is RAS") != std::string::npos, std::string(space) == "RAS");
+  }
 }
 
 void SurfacesTest::SurfacesBecomeAModel() {

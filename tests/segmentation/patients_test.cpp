@@ -31,6 +31,25 @@ Bytes is(const std::vector<Label>& labels, std::initializer_list<int> codes) {
                [&](Label label) { return std::find(codes.begin(), codes.end(), label) != codes.end(); });
 }
 
+bool tells(const Segmented& result, const std::string& code) {
+  return std::ranges::any_of(result.report.notes,
+                             [&](const std::string& note) { return note.starts_with(code); });
+}
+
+/// The patient's CT with other intensities, by voxel, true label and HU.
+Image with(const insilico::SyntheticPatient& patient,
+           const std::function<std::int16_t(const Eigen::Vector3i&, Label, std::int16_t)>& hu) {
+  Image image = patient.ct;
+  std::vector<std::int16_t> voxels = *image.voxels;
+  const std::vector<Label> truth = patient.truth.voxels.dense();
+  std::size_t at = 0;
+  for (int k = 0; k < image.grid.size.z(); ++k)
+    for (int j = 0; j < image.grid.size.y(); ++j)
+      for (int i = 0; i < image.grid.size.x(); ++i, ++at) voxels[at] = hu({i, j, k}, truth[at], voxels[at]);
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  return image;
+}
+
 /// One mask for each component of at least `least_ml`, the largest first.
 std::vector<Bytes> bodies_of(const VolumeGrid& grid, const Bytes& mask, double least_ml) {
   const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, mask, 2.0);
@@ -122,6 +141,7 @@ class PatientsTest : public QObject {
   void SyntheticPatientIsFoundFromClicks();
   void RimOfTheCavaIsNoVein();
   void ACavaThatTheVeinsHaveTakenIsTold();
+  void ACavaThatEndsInAClotIsTold();
   void AnteriorMarginIsKept();
   void RealPatientIsFoundFromClicks();
 
@@ -181,10 +201,7 @@ void PatientsTest::RimOfTheCavaIsNoVein() {
 }
 
 void PatientsTest::ACavaThatTheVeinsHaveTakenIsTold() {
-  const auto told = [](const Segmented& result) {
-    return std::any_of(result.report.notes.begin(), result.report.notes.end(),
-                       [](const std::string& note) { return note.starts_with("hepatic_veins.hold_cava"); });
-  };
+  const auto told = [](const Segmented& result) { return tells(result, "hepatic_veins.hold_cava"); };
   QVERIFY(!told(found_));
   Seeds seeds = clicks_;
   seeds.vena_cava.resize(0, 3);
@@ -192,6 +209,23 @@ void PatientsTest::ACavaThatTheVeinsHaveTakenIsTold() {
   qInfo("hepatic veins %.1f ml, without clicks in the vena cava %.1f ml", found_.report.hepatic_ml,
         without.report.hepatic_ml);
   QVERIFY(told(without));
+}
+
+/// A clot in the vena cava where it was clicked, as dark as a tumour.
+void PatientsTest::ACavaThatEndsInAClotIsTold() {
+  QVERIFY(!tells(found_, "vena_cava.small") && !tells(found_, "hepatic_veins.beside_cava"));
+  const VolumeGrid& grid = patient_.ct.grid;
+  const Eigen::Vector3d click = clicks_.vena_cava.row(0).transpose();
+  Seeds seeds = clicks_;
+  seeds.vena_cava.conservativeResize(1, 3);
+  const Image clotted = with(patient_, [&](const Eigen::Vector3i& v, Label label, std::int16_t hu) {
+    const bool is_clot =
+        label == structure::kVenaCava && (grid.p_in_ct(v.cast<double>()).xyz - click).norm() < 0.008;
+    return is_clot ? static_cast<std::int16_t>(hu - 90) : hu;
+  });
+  const Segmented result = segment(clotted, seeds, {}, RunContext()).value();
+  QVERIFY(tells(result, "vena_cava.small"));
+  QVERIFY(tells(result, "hepatic_veins.beside_cava"));
 }
 
 void PatientsTest::AnteriorMarginIsKept() {

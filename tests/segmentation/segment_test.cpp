@@ -66,6 +66,7 @@ class SegmentTest : public QObject {
   void ABridgeToANeighbourIsNotCrossed();
   void ResultDoesNotDependOnTheStorageOrder();
   void TheSameInputGivesTheSameLabels();
+  void AGallbladderThatRunsOnIntoAscitesIsTold();
   void CancelledWorkGivesNothing();
   void ProgressRunsFromStartToEnd();
   void TheContourIsShownWhileItMoves();
@@ -140,6 +141,26 @@ void SegmentTest::TheSameInputGivesTheSameLabels() {
   const Phantom& p = phantom_;
   const Segmented again = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
   QVERIFY(again.labels.voxels == found_.labels.voxels);
+}
+
+/// A liver that lies in fluid: nothing tells bile from ascites.
+void SegmentTest::AGallbladderThatRunsOnIntoAscitesIsTold() {
+  const auto told = [](const Segmented& result) {
+    return std::ranges::any_of(
+        result.report.notes, [](const std::string& note) { return note.starts_with("gallbladder.large "); });
+  };
+  for (const bool is_drowned : {false, true}) {
+    const Image image = test::noisy_ct(phantom_.image.grid, 5, 12.0, [&](const Eigen::Vector3d& p) {
+      const bool liver =
+          (p - Eigen::Vector3d(62, 62, 60)).cwiseQuotient(Eigen::Vector3d(46, 40, 38)).norm() < 1.0;
+      const bool gallbladder = (p - Eigen::Vector3d(124, 62, 60)).norm() < 15.0;
+      return liver ? 110.0 : gallbladder || is_drowned ? 10.0 : -100.0;
+    });
+    Seeds seeds;
+    seeds.liver = test::points_at(image, {{62, 75, 75}, {80, 62, 45}});
+    seeds.gallbladder = test::points_at(image, {{124, 62, 60}});
+    QCOMPARE(told(segment(image, seeds, {}, RunContext()).value()), is_drowned);
+  }
 }
 
 void SegmentTest::CancelledWorkGivesNothing() {

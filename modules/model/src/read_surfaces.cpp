@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -24,6 +26,7 @@ constexpr double kLeastLesion = 15e-9;  // m3: below, a piece of a tumour file i
 // Of a structure's size over the liver's: beyond, it is in another unit.
 constexpr double kMostOverLiver = 4.0, kLeastOverLiver = 0.005;
 constexpr double kBesideLiver = 0.05;  // metres: farther from the liver's box it is in another frame
+constexpr double kMidline = 0.001;     // metres: what lies in the liver's middle tells no side
 constexpr std::array<const char*, 5> kExtensions = {".vtk", ".vtp", ".stl", ".obj", ".ply"};  // by preference
 
 enum class Role { liver, vessel, lesions, other };
@@ -133,6 +136,7 @@ bool add_lesions(const TriangleMesh& file, Label wanted, const std::set<Label>& 
 
 /// One file and what it holds.
 struct Source {
+  std::string name;  ///< as folder or list call it; files of one name are pieces of one structure
   fs::path file;
   Meaning meaning;
   LengthUnit unit;
@@ -154,7 +158,18 @@ double diagonal(const TriangleMesh& mesh) {
   return (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).norm();
 }
 
+/// Slicer writes into the file's first lines which way its axes run.
+void require_lps(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 512> head{};
+  stream.read(head.data(), head.size());
+  if (std::string_view(head.data(), head.size()).find("SPACE=RAS") != std::string_view::npos)
+    refuse(file, "SPACE", "is RAS: x and y run the other way than in LPS",
+           "Export all surfaces of one patient in one frame (LPS)");
+}
+
 TriangleMesh read_structure(const Source& source) {
+  require_lps(source.file);
   TriangleMesh mesh = merge_vertices(read_triangle_mesh(source.file, source.unit), 0.0);
   if (mesh.triangle_count() == 0)
     refuse(source.file, "triangles", "there are none", "Export the surface anew");
@@ -189,6 +204,40 @@ void require_plausible(const Source& source, const TriangleMesh& mesh, const Tri
   if ((low(mesh) > high(liver) + kBesideLiver).any() || (high(mesh) < low(liver) - kBesideLiver).any())
     refuse(source.file, what, "lies elsewhere than the liver in " + liver_file.filename().string(),
            "Export all surfaces of one patient in one frame (LPS)");
+}
+
+/// As of labels: the vena cava runs near the midline, the bulk of the liver to the patient's right of it.
+void require_not_mirrored(const SurfaceSet& set, const fs::path& origin) {
+  for (const NamedSurface& other : set.others) {
+    if (other.structure != structure::kVenaCava) continue;
+    const auto x = other.mesh.vertices.col(0);  // the vessel may be open, so that it has no centroid
+    if (0.5 * (x.minCoeff() + x.maxCoeff()) < centroid(set.liver).x() - kMidline)
+      refuse(origin, "orientation", "the liver lies to the left of the vena cava: mirrored, or RAS",
+             "Export all surfaces of one patient in one frame (LPS)");
+  }
+}
+
+/// A vessel or an organ beside the liver; further pieces of one name are added to the first.
+/// @throws InputError two names for one structure: it would stand in the model twice.
+void add_other(const Source& source, TriangleMesh mesh, std::map<Label, Source>& first,
+               const fs::path& origin, SurfaceSet& set) {
+  const Label structure = source.meaning.structure;
+  const auto [known, is_new] = first.emplace(structure, source);
+  if (is_new) {
+    set.others.push_back({structure, structure_name(structure), std::move(mesh)});
+    return;
+  }
+  if (known->second.name != source.name)
+    refuse(origin, structure_name(structure),
+           "is named twice: " + known->second.file.filename().string() + " and " +
+               source.file.filename().string(),
+           "Keep one of them");
+  TriangleMesh& all = std::ranges::find(set.others, structure, &NamedSurface::structure)->mesh;
+  const int vertices = all.vertex_count(), triangles = all.triangle_count();
+  all.vertices.conservativeResize(vertices + mesh.vertex_count(), 3);
+  all.vertices.bottomRows(mesh.vertex_count()) = mesh.vertices;
+  all.triangles.conservativeResize(triangles + mesh.triangle_count(), 3);
+  all.triangles.bottomRows(mesh.triangle_count()) = (mesh.triangles.array() + vertices).matrix();
 }
 
 /// Lesions that files are named after. @throws InputError two of one.
@@ -229,6 +278,7 @@ SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std
     return cyst(a) < cyst(b);
   });
   const std::set<Label> named = named_lesions(sources, origin);
+  std::map<Label, Source> first;
   for (const Source& source : sources) {
     if (source.meaning.role == Role::liver) continue;
     TriangleMesh mesh = read_structure(source);
@@ -242,10 +292,10 @@ SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std
         refuse(source.file, "lesions", "holds no closed surface of 15 mm3 or more",
                "Close the surfaces (fill their holes) in the program that made them");
     } else {
-      set.others.push_back(
-          {source.meaning.structure, structure_name(source.meaning.structure), std::move(mesh)});
+      add_other(source, std::move(mesh), first, origin, set);
     }
   }
+  require_not_mirrored(set, origin);
   return set;
 }
 
@@ -273,8 +323,8 @@ std::vector<Source> sources_in_list(const fs::path& path, LengthUnit unit) {
           one.is_string() || (one.is_object() && one.contains("file") && one["file"].is_string());
       if (!has_file) refuse(path, name, "names no file", remedy);
       const fs::path file = (one.is_string() ? one : one["file"]).get<std::string>();
-      sources.push_back(
-          {path.parent_path() / file, *meaning, one.is_object() ? unit_of(one, all, name + ".unit") : all});
+      sources.push_back({name, path.parent_path() / file, *meaning,
+                         one.is_object() ? unit_of(one, all, name + ".unit") : all});
     };
     if (entry.is_array())
       for (const nlohmann::json& one : entry) add(one);
@@ -291,11 +341,12 @@ SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit) {
   if (fs::is_directory(path)) {
     std::vector<std::string> notes;
     std::vector<Source> sources;
-    for (const auto& [stem, file] : files_in(path, notes)) sources.push_back({file, *meaning_of(stem), unit});
+    for (const auto& [stem, file] : files_in(path, notes))
+      sources.push_back({stem, file, *meaning_of(stem), unit});
     return read_sources(std::move(sources), path, std::move(notes));
   }
   if (lower_extension(path) == ".json") return read_sources(sources_in_list(path, unit), path, {});
-  return read_sources({{path, {Role::liver, structure::kParenchyma}, unit}}, path, {});
+  return read_sources({{"liver", path, {Role::liver, structure::kParenchyma}, unit}}, path, {});
 }
 
 }  // namespace glisson::model

@@ -20,6 +20,10 @@ namespace {
 constexpr double kVesselSpacing = 1.0;  // mm
 /// What of the hepatic veins may lie outside of the liver, ml: three trunks of 10 mm, 15 mm long, are 3.5.
 constexpr double kVeinsBeyond = 5.0;
+/// The same beside a vena cava that was found: its mouth and rim count, too.
+constexpr double kVeinsBesideCava = 10.0;
+/// What is beyond these is hardly the whole organ, or more than it, ml.
+constexpr double kLeastCava = 8.0, kMostGallbladder = 200.0;
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -218,17 +222,19 @@ LabelMap placed(const Painting& painting, const VoxelBox& box,
   return result;
 }
 
-/// Without seeds of its own the vena cava is tissue like the veins that end in it, and they grow on into it.
+/// Without seeds of its own the vena cava is tissue like the veins that end in it, and they grow on into it;
+/// so they do into what its seeds did not find of it.
 /// @param liver as inside_liver() has it.
 std::optional<std::string> cava_note(const LabelVolume& labels, const std::vector<std::uint8_t>& liver) {
-  if (ml_of(labels, structure::kVenaCava) > 0.0) return {};
+  const bool has_cava = ml_of(labels, structure::kVenaCava) > 0.0;
   const std::vector<std::uint8_t> veins =
       labels.mask([](Label label) { return label == structure::kHepaticVeins; });
   long beyond = 0;
   for (std::size_t i = 0; i < veins.size(); ++i) beyond += veins[i] != 0 && liver[i] == 0;
   const double ml = 1e-3 * static_cast<double>(beyond) * labels.grid().voxel_volume_mm3();
-  if (ml <= kVeinsBeyond) return {};
-  return "hepatic_veins.hold_cava " + std::to_string(std::lround(ml));
+  if (ml <= (has_cava ? kVeinsBesideCava : kVeinsBeyond)) return {};
+  return (has_cava ? "hepatic_veins.beside_cava " : "hepatic_veins.hold_cava ") +
+         std::to_string(std::lround(ml));
 }
 
 SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
@@ -244,6 +250,17 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
     report.lesion_ml.push_back(ml_of(labels.voxels, static_cast<Label>(structure::kFirstLesion + n)));
   return report;
+}
+
+/// A vena cava that ended at once, as behind a clot, and a gallbladder that ran on into what looks alike, as
+/// ascites does. @param labels of the whole image; a region may cut either.
+void note_sizes(const LabelVolume& labels, const Structures& found, SegmentationReport& report) {
+  const double cava = ml_of(labels, structure::kVenaCava);
+  const double gallbladder = ml_of(labels, structure::kGallbladder);
+  if (found.vena_cava && cava < kLeastCava)
+    report.notes.push_back("vena_cava.small " + std::to_string(std::lround(cava)));
+  if (found.gallbladder && gallbladder > kMostGallbladder)
+    report.notes.push_back("gallbladder.large " + std::to_string(std::lround(gallbladder)));
 }
 
 /// Codes, not sentences: what a person should look at.
@@ -354,6 +371,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
   note_doubts(seeds, anew, *bodies, result.report);
+  if (!options.region) note_sizes(result.labels.voxels, found, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;

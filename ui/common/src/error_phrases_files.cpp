@@ -147,6 +147,8 @@ const std::vector<const char*>& file_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is named twice: %1 and %2"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no structure that is known"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is none of mm, cm, m"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is RAS: x and y run the other way than in LPS"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "the liver lies to the left of the vena cava: mirrored, or RAS"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies elsewhere than the liver in %1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "names no file"),
       QT_TRANSLATE_NOOP("ErrorPhrases",

@@ -46,6 +46,16 @@ class Notes {
         {"hepatic_veins.hold_cava",
          tr("%1 ml of the hepatic veins lie outside of the liver: they have grown on into the vena cava. "
             "Click the vena cava, too, and segment again.")},
+        {"hepatic_veins.beside_cava",
+         tr("%1 ml of the hepatic veins lie outside of the liver: perhaps in a part of the vena cava that "
+            "its "
+            "seeds did not find. Click the vena cava there, too, and segment again.")},
+        {"vena_cava.small", tr("Only %1 ml of the vena cava were found: its seeds may lie in a clot or "
+                               "tumour. Click it elsewhere, "
+                               "too, and segment again.")},
+        {"gallbladder.large",
+         tr("The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. "
+            "Check it in the slices.")},
         {"vena_cava.not_found", tr("No vena cava was found at its seeds: what there was stays.")},
         {"gallbladder.not_found", tr("No gallbladder was found at its seeds: what there was stays.")},
         {"liver.perhaps_mirrored",
@@ -218,6 +228,10 @@ class Notes {
                                   "check in the slices that it lies on this liver.")},
         {"labels.segments_left_out",
          tr("Segments that the file does not say to be anything of the liver were left out: %*.")},
+        {"labels.codes_left_out", tr("Labels of which the codes say nothing were left out: %*.")},
+        {"labels.by_number",
+         tr("The file does not say what its numbers mean. They were taken as Glisson's own: %*. If they mean "
+            "something else, import it again by 'glisson model --labels FILE --codes FILE'.")},
         {"volume.files_missing", tr("The DICOMDIR names files that are not there: slices may be missing. "
                                     "Copy the whole medium. (%*)")},
         {"case.cloud_lost",

@@ -2,6 +2,8 @@
 #include "glisson/engine/commands/import_labels.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -48,21 +50,65 @@ LabelCodes meanings_of(const std::filesystem::path& path, const std::string& fie
   return codes;
 }
 
-/// Whether a file names its segments otherwise than Glisson names those of the same numbers. "label_7" is
-/// what Glisson writes where there is no name.
+/// "label_7" is what Glisson writes where there is no name.
+bool is_nameless(const LabelInfo& segment) {
+  return segment.name.empty() || segment.name == "label_" + std::to_string(segment.code);
+}
+
+/// Whether a file names its segments otherwise than Glisson names those of the same numbers.
 bool are_named_by_others(const std::vector<LabelInfo>& segments) {
   return std::ranges::any_of(segments, [](const LabelInfo& segment) {
-    return !segment.name.empty() && segment.name != structure_name(segment.code) &&
-           segment.name != "label_" + std::to_string(segment.code);
+    return !is_nameless(segment) && segment.name != structure_name(segment.code);
   });
+}
+
+/// The first of a list, with commas.
+std::string first_of(const std::vector<std::string>& list) {
+  constexpr std::size_t kNamed = 12;
+  std::string text;
+  for (std::size_t n = 0; n < std::min(list.size(), kNamed); ++n) text += (n > 0 ? ", " : "") + list[n];
+  return list.size() > kNamed ? text + ", ..." : text;
+}
+
+/// Numbers without a name are taken for Glisson's. Other programs number otherwise: with 1 for the liver and
+/// 2 for its tumours the tumours become the portal vein.
+void note_numbers(const std::vector<LabelInfo>& infos, std::vector<std::string>& notes) {
+  std::vector<std::string> taken;
+  for (const LabelInfo& info : infos)
+    if (is_nameless(info)) taken.push_back(std::to_string(info.code) + ' ' + structure_name(info.code));
+  if (!taken.empty()) notes.push_back("labels.by_number " + first_of(taken));
+}
+
+/// Labels of which the codes say nothing become background: whoever forgot a tumour's code learns that it is
+/// missing.
+void note_left_out(const LabelFile& file, const LabelCodes& codes, std::vector<std::string>& notes) {
+  const std::vector<long> counts = file.voxels.histogram();
+  std::vector<std::pair<long, std::string>> found;  // the largest first
+  for (std::size_t code = 1; code < counts.size(); ++code) {
+    if (counts[code] == 0 || codes.contains(static_cast<Label>(code))) continue;
+    const double ml = 1e-3 * static_cast<double>(counts[code]) * file.voxels.grid().voxel_volume_mm3();
+    const auto info = std::ranges::find(file.infos, static_cast<Label>(code), &LabelInfo::code);
+    const bool is_named = info != file.infos.end() && !is_nameless(*info);
+    std::array<char, 32> volume{};
+    std::snprintf(volume.data(), volume.size(), " (%.1f ml)", ml);
+    found.emplace_back(-counts[code],
+                       std::to_string(code) + (is_named ? ' ' + info->name : std::string()) + volume.data());
+  }
+  std::ranges::sort(found);
+  std::vector<std::string> left_out;
+  for (const auto& [voxels, text] : found) left_out.push_back(text);
+  if (!left_out.empty()) notes.push_back("labels.codes_left_out " + first_of(left_out));
 }
 
 /// A volume of labels. Numbers without names of somebody else's are Glisson's. @param codes and notes as
 /// below.
 LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std::vector<std::string>& notes) {
   LabelFile file = read_labels(path);
-  if (codes.empty() && are_named_by_others(file.infos))
+  if (!codes.empty()) return file;
+  if (are_named_by_others(file.infos))
     codes = meanings_of(path, "Segment names", file.infos, notes);
+  else
+    note_numbers(file.infos, notes);
   return file;
 }
 
@@ -108,6 +154,7 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   const LabelFile file =
       has_dicom_mark(path) ? read_dicom(path, state, meanings, notes) : read_volume(path, meanings, notes);
   if (state[part::image]) require_same_grid(file.voxels.grid(), state[part::image]->grid, path.string());
+  if (!codes.empty()) note_left_out(file, codes, notes);
   if (context.cancelled()) return {};
   if (meanings.empty()) require_not_mirrored(file.voxels, path.string());  // else recode() does
   LabelMap labels =
