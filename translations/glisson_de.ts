@@ -2976,6 +2976,10 @@
         <translation>ihr 3 x 3 Block oben links ist keine Drehung</translation>
     </message>
     <message>
+        <source>its last row is not 0 0 0 1</source>
+        <translation>ihre letzte Zeile ist nicht 0 0 0 1</translation>
+    </message>
+    <message>
         <source>there are %1 other places, not %2</source>
         <translation>es gibt %1 andere Lagen, nicht %2</translation>
     </message>

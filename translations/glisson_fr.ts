@@ -2976,6 +2976,10 @@
         <translation>son bloc 3 x 3 en haut à gauche n’est pas une rotation</translation>
     </message>
     <message>
+        <source>its last row is not 0 0 0 1</source>
+        <translation>sa dernière ligne n’est pas 0 0 0 1</translation>
+    </message>
+    <message>
         <source>there are %1 other places, not %2</source>
         <translation>il y a %1 autres positions, pas %2</translation>
     </message>

@@ -41,6 +41,11 @@ NumberedFiles numbered(const QString& pattern) {
   return *files;
 }
 
+/// How many numbers between the first cloud and the last have no cloud.
+double missing(const std::vector<std::pair<int, fs::path>>& clouds) {
+  return 1.0 + clouds.back().first - clouds.front().first - static_cast<double>(clouds.size());
+}
+
 void follow_clouds(Session& session, const Arguments& arguments, const ModelArgument& argument,
                    const std::vector<std::pair<int, fs::path>>& clouds, experiments::TrackRecord& record,
                    FrameTeller& teller) {
@@ -269,6 +274,7 @@ int run_track(const QStringList& given) {
   });
   record.finish(whole);
   session.tell(record.figures());
+  if (!clouds.empty()) session.tell({{"clouds_missing", missing(clouds)}});
   if (whole || record.frames() > 0) {
     experiments::remove_former_meshes(arguments.path("out"), out.path());
     out.commit(whole);

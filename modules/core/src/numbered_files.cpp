@@ -28,14 +28,12 @@ std::filesystem::path NumberedFiles::at(int number) const {
 }
 
 std::vector<std::pair<int, std::filesystem::path>> NumberedFiles::existing() const {
-  constexpr int kMost = 100000, kLastFirst = 1000;
+  constexpr int kMost = 100000, kWidestGap = 1000;
   std::vector<std::pair<int, std::filesystem::path>> files;
-  for (int number = 0; number < kMost; ++number) {
+  for (int number = 0, gap = 0; number < kMost && gap <= kWidestGap; ++number) {
     const std::filesystem::path file = at(number);
-    if (std::filesystem::exists(file))
-      files.emplace_back(number, file);
-    else if (!files.empty() || number > kLastFirst)
-      break;
+    gap = std::filesystem::exists(file) ? 0 : gap + 1;
+    if (gap == 0) files.emplace_back(number, file);
   }
   if (files.empty())
     throw FileError(before_ + "%" + (fill_ == '0' ? "0" : "") + (digits_ > 0 ? std::to_string(digits_) : "") +

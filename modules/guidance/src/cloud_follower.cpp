@@ -5,13 +5,22 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/patient/sound_cloud.h"
 #include "glisson/registration/pairs.h"
 
 namespace glisson::guidance {
+namespace {
+
+/// Metres, mean over the nodes, from one cloud to the next. What lies farther away is another organ, another
+/// unit or another place of the camera: closest points bring the model there, with a small residual, and
+/// cannot tell. So far away a rigid start, too, counts as another place.
+constexpr double kElsewhere = 20e-3;
+
+}  // namespace
 
 CloudFollower::CloudFollower(const PatientModel& model, const Registration& start,
                              const TrackerOptions& options)
-    : options_(options) {
+    : options_(options), from_camera_(!start.camera_from_ct.matrix().isIdentity()) {
   registration::ElasticOptions elastic = options.cloud;
   elastic.fixed_nodes = options.fixed_nodes;
   if (registration::takes_forces(options.cloud_method, model, elastic))
@@ -20,9 +29,22 @@ CloudFollower::CloudFollower(const PatientModel& model, const Registration& star
 
 Validity CloudFollower::follow(const LabelledCloud& cloud, int steps, FollowedBody& body,
                                OverlayFrame& overlay) {
-  if (cloud.size() < std::max(10, options_.minimum_pairs)) return Validity::too_few_points;
   LabelledCloud unlabelled = cloud;
   unlabelled.features.clear();
+  CloudFaults faults;
+  unlabelled = sound_cloud(unlabelled, from_camera_, faults);
+  if (unlabelled.size() < std::max(10, options_.minimum_pairs)) return Validity::too_few_points;
+  const Points there = body.positions(), speed = body.velocities();
+  const BoundarySprings springs = body.springs();
+  const Validity brought = bring(unlabelled, steps, body, overlay);
+  if ((body.positions() - there).rowwise().norm().mean() < kElsewhere) return brought;
+  body.restore(there, speed, springs);
+  if (forces_) forces_->forget_last();
+  return Validity::surface_apart;
+}
+
+Validity CloudFollower::bring(const LabelledCloud& unlabelled, int steps, FollowedBody& body,
+                              OverlayFrame& overlay) {
   const Validity followed =
       forces_ ? by_forces(unlabelled, body, overlay) : by_springs(unlabelled, steps, body, overlay);
   if (followed != Validity::valid) return followed;

@@ -14,14 +14,17 @@ class CloudFollower {
  public:
   CloudFollower(const PatientModel& model, const Registration& start, const TrackerOptions& options);
 
+  /// A cloud that lies elsewhere than the organ was is forgotten: the organ stays where it was.
   /// @param steps of the springs, with new pairs each. @param overlay its pairs and residual are filled in.
   Validity follow(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
 
  private:
+  Validity bring(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
   Validity by_forces(const LabelledCloud& cloud, FollowedBody& body, OverlayFrame& overlay);
   Validity by_springs(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay) const;
 
   TrackerOptions options_;
+  bool from_camera_;  ///< the clouds; or they are in the model's frame
   std::optional<registration::ForceFollower> forces_;
 };
 

@@ -21,35 +21,39 @@ struct ForceFollower::Impl {
   CameraFromCt start;
   ContactForceOptions options;
   std::optional<ForceProblem> problem;  ///< from the second cloud on
-  LawFit law;                           ///< that the first cloud made most probable; its last sigma
-  CameraFromCt pose;
-  Points nodes_in_ct;
-  std::vector<int> strongest;  ///< nodes where forces act, the strongest first
-  double told_by = 0.0;        ///< mean motion of the nodes from rest, m, under which the law was chosen
 
-  double motion() const { return (nodes_in_ct - model.mesh.vertices).rowwise().norm().mean(); }
+  /// What a cloud leaves to the next one.
+  struct Ended {
+    LawFit law;  ///< that the first cloud made most probable; its last sigma
+    CameraFromCt pose;
+    Points nodes_in_ct;
+    std::vector<int> strongest;  ///< nodes where forces act, the strongest first
+    double told_by = 0.0;        ///< mean motion of the nodes from rest, m, under which the law was chosen
+  };
+  std::optional<Ended> now, before;  ///< empty: the next cloud is the first
 
-  void take(const ContactForceFit& fit, const LawFit& of) {
-    law = of;
-    pose = fit.camera_from_ct;
-    nodes_in_ct = pose.inverse().apply(fit.nodes_in_camera);
-    strongest.clear();
-    for (const ContactForce& force : fit.forces) strongest.push_back(force.node);
+  double motion() const { return (now->nodes_in_ct - model.mesh.vertices).rowwise().norm().mean(); }
+
+  void take(const ContactForceFit& fit, const LawFit& of, double told_by) {
+    now = {of, fit.camera_from_ct, fit.camera_from_ct.inverse().apply(fit.nodes_in_camera), {}, told_by};
+    for (const ContactForce& force : fit.forces) now->strongest.push_back(force.node);
   }
 
   Cancellable<ContactForceFit> first(const LabelledCloud& cloud, const RunContext& context) {
     auto fit = fit_contact_forces(model, cloud, start, options, context);
     if (!fit) return {};
     problem.emplace(model, cloud, start, options);
-    take(*fit, fit->laws[static_cast<std::size_t>(fit->chosen)]);
-    told_by = motion();
+    take(*fit, fit->laws[static_cast<std::size_t>(fit->chosen)], 0.0);
+    now->told_by = motion();
     return fit;
   }
 
   Cancellable<ContactForceFit> next(const LabelledCloud& cloud, const RunContext& context) {
     problem->take(cloud);
-    ForceFitter fitter(*problem, law.material, law.ground);
-    fitter.begin_at(pose, nodes_in_ct, strongest, 2.0 * std::max(law.sigma, fitter.apart(pose, nodes_in_ct)));
+    const Ended& from = *now;
+    ForceFitter fitter(*problem, from.law.material, from.law.ground);
+    fitter.begin_at(from.pose, from.nodes_in_ct, from.strongest,
+                    2.0 * std::max(from.law.sigma, fitter.apart(from.pose, from.nodes_in_ct)));
     double stages = 0.0;
     const auto advance = [&] {
       context.progress(++stages / static_cast<double>(options.sigmas.size()), "registration.forces");
@@ -60,9 +64,9 @@ struct ForceFollower::Impl {
     ContactForceFit fit = fitter.result();
     fit.laws = {fitter.law()};
     fit.chosen = 0;
-    take(fit, fitter.law());
+    take(fit, fitter.law(), from.told_by);
     // Laws differ the more the farther the organ moves: what a small motion chose is chosen again.
-    if (motion() > kTellsMore * told_by) return first(cloud, context);
+    if (motion() > kTellsMore * now->told_by) return first(cloud, context);
     return fit;
   }
 };
@@ -81,7 +85,10 @@ ForceFollower::ForceFollower(ForceFollower&&) noexcept = default;
 ForceFollower& ForceFollower::operator=(ForceFollower&&) noexcept = default;
 
 Cancellable<ContactForceFit> ForceFollower::follow(const LabelledCloud& cloud, const RunContext& context) {
-  return impl_->problem ? impl_->next(cloud, context) : impl_->first(cloud, context);
+  impl_->before = impl_->now;
+  return impl_->now ? impl_->next(cloud, context) : impl_->first(cloud, context);
 }
+
+void ForceFollower::forget_last() { impl_->now = impl_->before; }
 
 }  // namespace glisson::registration

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <sstream>
+#include <string>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -12,12 +13,18 @@ namespace glisson::registration {
 namespace fs = std::filesystem;
 
 CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
+  constexpr const char* kRemedy = "Write a 4 x 4 matrix, cloud_from_model, row by row";
+  constexpr double kRounded = 1e-3;
   std::istringstream stream(read_file(path));
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i)
     if (!(stream >> matrix(i / 4, i % 4)))
-      throw InputError(path.string(), "matrix", "is not 16 numbers",
-                       "Write a 4 x 4 matrix, cloud_from_model, row by row");
+      throw InputError(path.string(), "matrix", "is not 16 numbers", kRemedy);
+  if (std::string more; stream >> more)
+    throw InputError(path.string(), "matrix", "is not 16 numbers", kRemedy);
+  // Column by column, as some programs write it, it would be the inverse rotation without a translation.
+  if (!matrix.row(3).isApprox(Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0), kRounded))
+    throw InputError(path.string(), "matrix", "its last row is not 0 0 0 1", kRemedy);
   matrix.topRightCorner<3, 1>() *= metres_per(unit);
   return CameraFromCt::from_matrix(matrix, path.string());
 }

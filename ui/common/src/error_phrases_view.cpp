@@ -40,6 +40,7 @@ const std::vector<const char*>& view_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "has been seen at %1 places only, where %2 are needed"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not 16 numbers"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "its upper left 3 x 3 block is not a rotation"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "its last row is not 0 0 0 1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "there are %1 other places, not %2"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a list of numbers"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a number"),

@@ -18,7 +18,8 @@ class NumberedFiles {
   std::filesystem::path at(int number) const;
   /// Of a number in the names, at least.
   int digits() const { return digits_; }
-  /// Those that are there, in ascending order up to the first gap; they begin at 1000 at the latest.
+  /// Those that are there, in ascending order, up to a gap of more than 1000 numbers: lost ones do not hide
+  /// those after them. The first is 1000 at most.
   /// @throws FileError there is none.
   std::vector<std::pair<int, std::filesystem::path>> existing() const;
 

@@ -49,7 +49,7 @@ struct TrackerOptions {
   /// paper.
   bool scope_moves = true;
   std::vector<int> fixed_nodes;  ///< 0-based, of the model's mesh; they stay where the start has them
-  JudgeOptions judge;            ///< of pictures; clouds are judged by their residual alone
+  JudgeOptions judge;            ///< of pictures; clouds: see follow(cloud)
   LesionOptions lesions;
   /// For follow(cloud): form, s, surface stiffness, density, and of contact forces the lesions' stiffness.
   registration::ElasticOptions cloud;
@@ -83,7 +83,9 @@ class Tracker {
   OverlayFrame follow(const StereoFrame& frame);
   /// Registration to a cloud instead of pictures (no correspondences in time are assumed), labels unused: by
   /// contact forces (registration/force_follower.h), or eq. 14 on the whole surface at its final stiffness,
-  /// `steps` implicit steps with new pairs each.
+  /// `steps` implicit steps with new pairs each. Repeated points and those at the lens are left out. A cloud
+  /// that would bring the organ 20 mm away, mean over the nodes, is surface_apart: closest points cannot tell
+  /// it from another organ, unit or camera. It is forgotten, the organ stays.
   OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps);
 
   /// A hand says where a place of the organ is in the last frame. The registered shape goes there, as

@@ -24,6 +24,9 @@ class ForceFollower {
   /// succeeded. @throws InputError, NumericalError as fit_contact_forces.
   Cancellable<ContactForceFit> follow(const LabelledCloud& cloud, const RunContext& context);
 
+  /// The next cloud is followed from where the organ was before the last one, as if that had not been.
+  void forget_last();
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

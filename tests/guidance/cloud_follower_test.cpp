@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <cmath>
+
+#include "filmed_phantom.h"
+#include "glisson/guidance/tracker.h"
+
+using namespace glisson;
+using namespace glisson::guidance;
+
+/// Clouds that are not of the followed organ, or not of where it is.
+class CloudFollowerTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void WhatIsElsewhereIsToldAndForgotten_data();
+  void WhatIsElsewhereIsToldAndForgotten();
+  void TheFirstCloudElsewhereIsToldAndForgotten_data() { methods(); }
+  void TheFirstCloudElsewhereIsToldAndForgotten();
+  void PointsWithoutDepthAreLeftOut_data() { methods(); }
+  void PointsWithoutDepthAreLeftOut();
+
+ private:
+  static void methods();
+  Tracker tracker(int method) const {
+    TrackerOptions by = phantom::free_body();
+    by.cloud_method = static_cast<registration::Method>(method);
+    return {model_, start_, by};
+  }
+  /// Of the organ, breathed in by this share.
+  LabelledCloud cloud(double share, unsigned seed) const {
+    phantom::PatchOptions patch;
+    patch.seed = seed;
+    patch.share = 0.4;
+    LabelledCloud cloud = phantom::patch(model_, phantom::breathed(model_, nodes_, share), patch);
+    cloud.normals.resize(0, 3);
+    return cloud;
+  }
+
+  PatientModel model_ = phantom::model(8, 6, 3);
+  Points nodes_;
+  Registration start_;
+};
+
+namespace {
+
+constexpr int kSteps = 10;
+
+LabelledCloud moved(LabelledCloud cloud, const Eigen::RowVector3d& way) {
+  cloud.points.rowwise() += way;
+  return cloud;
+}
+
+/// A ball's near side behind the organ, as of a stomach.
+LabelledCloud ball_at(const Eigen::RowVector3d& centre, int points) {
+  constexpr double kRadius = 35e-3, kGolden = 2.399963;
+  LabelledCloud cloud;
+  cloud.points.resize(points, 3);
+  for (int i = 0; i < points; ++i) {
+    const double z = -1.0 + 0.8 * i / points, r = std::sqrt(1.0 - z * z);
+    cloud.points.row(i) =
+        centre + kRadius * Eigen::RowVector3d(r * std::cos(kGolden * i), r * std::sin(kGolden * i), z);
+  }
+  return cloud;
+}
+
+}  // namespace
+
+void CloudFollowerTest::methods() {
+  QTest::addColumn<int>("method");
+  QTest::newRow("springs") << static_cast<int>(registration::Method::springs);
+  QTest::newRow("forces") << static_cast<int>(registration::Method::forces);
+}
+
+void CloudFollowerTest::initTestCase() {
+  nodes_ = phantom::view().apply(model_.mesh.vertices);
+  start_.nodes_in_camera = nodes_;
+  start_.camera_from_ct = phantom::view();
+}
+
+void CloudFollowerTest::WhatIsElsewhereIsToldAndForgotten_data() {
+  QTest::addColumn<int>("method");
+  QTest::addColumn<QString>("what");
+  const auto row = [](const char* name, registration::Method method, const char* what) {
+    QTest::addRow("%s %s", name, what) << static_cast<int>(method) << QString(what);
+  };
+  for (const char* what : {"aside", "deeper", "ball"}) row("springs", registration::Method::springs, what);
+  row("forces", registration::Method::forces, "aside");
+}
+
+void CloudFollowerTest::WhatIsElsewhereIsToldAndForgotten() {
+  QFETCH(int, method);
+  QFETCH(QString, what);
+  LabelledCloud other = cloud(0.5, 5);
+  if (what == "aside") other = moved(other, {60e-3, 0.0, 0.0});
+  if (what == "deeper") other = moved(other, {0.0, 0.0, 60e-3});
+  if (what == "ball") other = ball_at(nodes_.colwise().mean() + Eigen::RowVector3d(0.0, 0.0, 0.1), 300);
+  Tracker one = tracker(method), another = tracker(method);
+  const OverlayFrame before = one.follow(cloud(0.5, 1), 0, 0.0, kSteps);
+  QVERIFY(before.validity == Validity::valid);
+  another.follow(cloud(0.5, 1), 0, 0.0, kSteps);
+  const OverlayFrame told = one.follow(other, 1, 1.0 / 30.0, kSteps);
+  QVERIFY2(told.level() == Level::withdrawn, validity_code(told.validity));
+  QVERIFY(told.nodes_in_camera == before.nodes_in_camera);
+  // As if it had never been.
+  const OverlayFrame after = one.follow(cloud(0.6, 2), 2, 2.0 / 30.0, kSteps);
+  QVERIFY2(after.validity == Validity::valid, validity_code(after.validity));
+  QVERIFY(after.nodes_in_camera == another.follow(cloud(0.6, 2), 2, 2.0 / 30.0, kSteps).nodes_in_camera);
+}
+
+void CloudFollowerTest::TheFirstCloudElsewhereIsToldAndForgotten() {
+  QFETCH(int, method);
+  Tracker one = tracker(method), another = tracker(method);
+  const OverlayFrame told = one.follow(moved(cloud(0.0, 1), {0.0, 60e-3, 0.0}), 0, 0.0, kSteps);
+  QVERIFY2(told.level() == Level::withdrawn, validity_code(told.validity));
+  QVERIFY(told.nodes_in_camera == nodes_);
+  const LabelledCloud right = cloud(0.5, 2);
+  QVERIFY(one.follow(right, 1, 1.0 / 30.0, kSteps).nodes_in_camera ==
+          another.follow(right, 1, 1.0 / 30.0, kSteps).nodes_in_camera);
+}
+
+void CloudFollowerTest::PointsWithoutDepthAreLeftOut() {
+  QFETCH(int, method);
+  const LabelledCloud right = cloud(0.5, 1);
+  LabelledCloud with_zeros = right;
+  with_zeros.points.conservativeResize(right.size() + 100, 3);
+  with_zeros.points.bottomRows(100).setZero();
+  with_zeros.features.resize(static_cast<std::size_t>(with_zeros.size()), Feature::surface);
+  Tracker one = tracker(method), another = tracker(method);
+  const OverlayFrame overlay = one.follow(with_zeros, 0, 0.0, kSteps);
+  QVERIFY2(overlay.validity == Validity::valid, validity_code(overlay.validity));
+  QVERIFY(overlay.nodes_in_camera == another.follow(right, 0, 0.0, kSteps).nodes_in_camera);
+}
+
+QTEST_GUILESS_MAIN(CloudFollowerTest)
+#include "cloud_follower_test.moc"
