@@ -11063,6 +11063,10 @@
         <translation>Das Netz hat %1 % weniger Volumen als das Organ. Mehr Ecken folgen ihm genauer.</translation>
     </message>
     <message>
+        <source>The mesh holds %1 % more volume than the organ. More vertices follow it more closely.</source>
+        <translation>Das Netz hat %1 % mehr Volumen als das Organ. Mehr Ecken folgen ihm genauer.</translation>
+    </message>
+    <message>
         <source>The mesh&apos;s vertices lie %1 mm beside the organ&apos;s surface on average.</source>
         <translation>Die Ecken des Netzes liegen im Mittel %1 mm neben der Oberfläche des Organs.</translation>
     </message>

@@ -11063,6 +11063,10 @@
         <translation>Le maillage a %1 % de volume de moins que l&apos;organe. Plus de sommets le suivent de plus près.</translation>
     </message>
     <message>
+        <source>The mesh holds %1 % more volume than the organ. More vertices follow it more closely.</source>
+        <translation>Le maillage a %1 % de volume de plus que l&apos;organe. Plus de sommets le suivent de plus près.</translation>
+    </message>
+    <message>
         <source>The mesh&apos;s vertices lie %1 mm beside the organ&apos;s surface on average.</source>
         <translation>Les sommets du maillage sont en moyenne à %1 mm de la surface de l&apos;organe.</translation>
     </message>

@@ -114,6 +114,7 @@ void CaseIoTest::AnImportedMeshHasNoFiguresOfAnOrgan() {
   Script script{RunContext()};
   const auto outcome = script.run(ImportMesh{folder.path() / "m.vtu", LengthUnit::millimetre});
   QCOMPARE(outcome->figures.at("model_tetrahedra"), 2.0);
+  QVERIFY(!outcome->figures.contains("model_lesion_volume_error_max"));  // it has no lesions
   for (const char* figure : {"model_volume_error", "model_vertices_to_fine_mean_mm",
                              "model_fine_to_mesh_mean_mm", "model_fine_to_mesh_max_mm"})
     QVERIFY2(!outcome->figures.contains(figure), figure);

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/experiments/evaluate_trees.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/insilico/film.h"
@@ -41,6 +42,7 @@ class EvaluateTest : public QObject {
   void ARigidMotionLeavesNothingAfterTheBestRigidAlignment();
   void TheTruthOfAnotherMeshIsRefused();
   void ACloudIsComparedWithASurfaceOrADepthMap();
+  void NothingThatIsFoundHasNoError();
   void NodesAreReadFromAListOrAMesh();
   void ASurfaceIsComparedInBothDirections();
 };
@@ -102,6 +104,36 @@ void EvaluateTest::ACloudIsComparedWithASurfaceOrADepthMap() {
   left.width = 64;
   QVERIFY_EXCEPTION_THROWN(
       experiments::cloud_figures(cloud, left, folder.path() / "d.pfm", LengthUnit::millimetre), InputError);
+}
+
+void EvaluateTest::NothingThatIsFoundHasNoError() {
+  VesselTree truth;
+  truth.structure = structure::kPortalVein;
+  truth.root = 0;
+  truth.nodes.resize(3, 3);
+  truth.nodes << 0, 0, 0, 0, 0, 0.01, 0, 0, 0.02;
+  truth.radii = {3e-3, 3e-3, 3e-3};
+  truth.beams = {{0, 1}, {1, 2}};
+  const auto everywhere = [](const Eigen::Vector3d&) { return true; };
+  const experiments::TreeScore none = experiments::score_tree(truth, {}, 1e-3, everywhere);
+  QVERIFY(std::isnan(none.mean) && std::isnan(none.worst));
+  QVERIFY(none.thick == 1 && none.thick_found == 0);
+  QVERIFY(experiments::score_tree(truth, {truth}, 1e-3, everywhere).mean < 1e-9);
+
+  const TemporaryFolder folder;
+  Camera left;
+  left.width = 32, left.height = 24;
+  left.matrix << 40.0, 0, 16.0, 0, 40.0, 12.0, 0, 0, 1;
+  LabelledCloud cloud;
+  cloud.points.resize(2, 3);
+  cloud.points << 0, 0, 0.1, 0.001, 0, 0.1;
+  insilico::write_depth(folder.path() / "d.pfm", std::vector<float>(32 * 24, 0.0F), 32, 24);
+  const Figures figures =
+      experiments::cloud_figures(cloud, left, folder.path() / "d.pfm", LengthUnit::millimetre);
+  QCOMPARE(figures.at("cloud_points_without_truth"), 2.0);
+  for (const char* key :
+       {"cloud_error_median_mm", "cloud_error_mean_mm", "cloud_error_p95_mm", "cloud_bias_mm"})
+    QVERIFY2(std::isnan(figures.at(key)), key);
 }
 
 void EvaluateTest::NodesAreReadFromAListOrAMesh() {

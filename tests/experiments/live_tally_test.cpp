@@ -62,13 +62,15 @@ class LiveTallyTest : public QObject {
   void TimesAreCountedInTheFilmsFrames();
   void LesionsAreHeldAgainstTheirOwnErrors();
   void ThePageHoldsRocAndTheModelThatStays();
+  void WhatDidNotHappenMeetsNoAim();
   void EveryFaultIsNamedOnceAndShowsItself();
 };
 
 void LiveTallyTest::AreaIsHowOftenAFarFrameScoresMore() {
   Roc roc;
   QVERIFY(roc.empty());
-  QCOMPARE(roc.area(), 1.0);
+  QVERIFY(std::isnan(roc.area()) && std::isnan(roc.far_hidden(1.0)) && std::isnan(roc.near_valid(1.0)));
+  QVERIFY(roc.table("none").front().ends_with("area -"));
   for (const double score : {0.2, 0.4, 0.9}) roc.add(score, 1e-3, true);
   roc.add(5.0, 1e-3, false);  // near, but in a fault: neither
   roc.add(5.0, 5e-3, true);   // neither near nor far
@@ -163,6 +165,22 @@ void LiveTallyTest::ThePageHoldsRocAndTheModelThatStays() {
                        [words](const std::string& line) { return line.find(words) != std::string::npos; });
   };
   QVERIFY(has("here, ROC of the evidence of one frame") && has("frozen"));
+}
+
+void LiveTallyTest::WhatDidNotHappenMeetsNoAim() {
+  LiveTally tally;
+  std::vector<JudgedFrame> run;  // neither far nor near, and never a jump
+  for (int k = 1; k < 60; ++k) run.push_back(judged(k, 5e-3, Validity::surface_apart, false));
+  tally.add(named("fault"), run);
+  LiveProof proof;
+  tally.sum_up("here", "live_", proof);
+  for (const char* key : {"live_far_hidden_share", "live_near_sound_valid_share", "live_latest_seconds",
+                          "live_return_seconds", "live_of_frozen_share"}) {
+    const auto aim = std::find_if(live_aims().begin(), live_aims().end(),
+                                  [key](const Aim& one) { return one.key == key; });
+    QVERIFY2(aim != live_aims().end(), key);
+    QVERIFY2(verdict(*aim, proof.figures) == Verdict::not_measured, key);
+  }
 }
 
 void LiveTallyTest::EveryFaultIsNamedOnceAndShowsItself() {

@@ -125,6 +125,21 @@ class PaperFiguresTest : public QObject {
     QVERIFY(counted);
   }
 
+  /// Neither the reference itself nor what found no equilibrium is an error of nothing.
+  void figureSixSaysNothingOfWhatWasNotTried() {
+    const double unknown = std::nan("");
+    Sensitivity found;
+    found.shifts = {{Support::both, 0.0, {0.0, 0.0}, 0.0, 0.0, 1, 1},
+                    {Support::both, 3e-3, {unknown, unknown}, unknown, unknown, 0, 6}};
+    found.stiffness = {{Support::both, 1.0, {0.0, 0.0}}, {Support::both, 2.0, {unknown, unknown}}};
+    found.exponents.fill(unknown);
+    const PaperFigure figure = figure_of(found);
+    for (std::size_t line = 0; line < 5; ++line)
+      if (line != 1) QCOMPARE(figure.paper.rows[line][2], std::string("-"));
+    QVERIFY(!figure.figures.contains("figure6_shift_upto_3mm_mm"));
+    QCOMPARE(figure.figures.at("figure6_without_equilibrium"), 7.0);
+  }
+
   void whatIsNotKnownHasNoBar() {
     TransferStudy study;
     study.rows = {{"synthetic_7", false, true, 0.001, 0.002, 0.003, 0.004, 0.005},

@@ -75,6 +75,10 @@ void ProofsTest::APageWithGapsTakesNoPlaceUnasked() {
   const ProofPage whole = page_with({{"dice", 0.8}}), gap = page_with({});
   QCOMPARE(folder_for(whole, {}, checkout), checkout / "packaging/figures");  // missed, but measured
   QVERIFY(folder_for(gap, {}, checkout).empty());
+  ProofPage missed_with_gap = page_with({{"dice", 0.8}});
+  missed_with_gap.aims.push_back(
+      {"volume", "Volume of a ball", Evidence::in_silico, Aim::Sense::at_most, 1.0, 1});
+  QVERIFY(folder_for(missed_with_gap, {}, checkout).empty());
   QVERIFY(folder_for(whole, {}, elsewhere.path()).empty());
   QCOMPARE(folder_for(gap, fs::path("wanted"), checkout), fs::path("wanted"));
 }

@@ -5,9 +5,13 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/script.h"
 #include "glisson/experiments/kill_trial.h"
 #include "glisson/experiments/soak_film.h"
 #include "glisson/experiments/soak_run.h"
+#include "glisson/volume/io.h"
 
 using namespace glisson;
 using namespace glisson::experiments;
@@ -23,6 +27,7 @@ class SoakTest : public QObject {
   void TheProcessIsMeasured();
   void TheFilmTurnsRoundWithoutAJump();
   void LossesAreCountedInSpells();
+  void NothingDoneProvesNothing();
   void WrongOptionsAreRefused();
   void AProgramThatFailsInPeaceIsNoTrial();
 
@@ -117,6 +122,22 @@ void SoakTest::LossesAreCountedInSpells() {
   QCOMPARE(figures.at("soak_frames_surface_apart_spells"), 2.0);
   QCOMPARE(figures.at("soak_frames_surface_apart_spells_at_turns"), 1.0);
   QVERIFY(losses.table().find("of 42.") != std::string::npos);
+}
+
+void SoakTest::NothingDoneProvesNothing() {
+  const TemporaryFolder folder;
+  Image image;
+  image.grid.size = {8, 8, 8};
+  image.voxels = std::make_shared<std::vector<std::int16_t>>(8 * 8 * 8);
+  write_image(folder.path() / "ct.nrrd", image);
+  engine::Script script{RunContext()};
+  QVERIFY(script.run(engine::ImportImage{folder.path() / "ct.nrrd"}));
+  QVERIFY(script.run(engine::SaveCase{folder.path() / "a.glisson"}));
+  SoakOptions options;
+  options.patient = folder.path() / "a.glisson";
+  options.frames = options.opens = options.edits = 0;
+  const auto result = soak(options, folder.path(), {}, RunContext());
+  QVERIFY(result && !result->passed);
 }
 
 void SoakTest::WrongOptionsAreRefused() {

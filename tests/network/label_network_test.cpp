@@ -181,6 +181,11 @@ void LabelNetworkTest::LesionsBecomeLabelsOfTheirOwn() {
       labels(image, bright_or_dark({1, 1, 16, 16}), sheet, &kept, {structure::kFirstLesion});
   QCOMPARE(beside.labels.voxels.at({39, 19, 9}), structure::kFirstLesion);
   QCOMPARE(beside.labels.voxels.at({2, 2, 2}), static_cast<Label>(structure::kFirstLesion + 1));
+  // A speck is no lesion, and no liver where that is locked.
+  const NetworkLabels closed =
+      labels(image, bright_or_dark({1, 1, 16, 16}), sheet, &kept, {structure::kParenchyma});
+  QCOMPARE(closed.labels.voxels.at({20, 15, 5}), structure::kBackground);
+  QCOMPARE(closed.labels.voxels.at({2, 2, 2}), structure::kFirstLesion);
 }
 
 void LabelNetworkTest::WhatTheNetworkDoesNotKnowStays() {

@@ -293,7 +293,7 @@ bool FakeOperation::change(engine::Applied& applied, const engine::BuildModel&,
   built.report.quality.tetrahedra = model.mesh.tetrahedron_count();
   built.report.quality.min_dihedral_deg = 14.2;
   built.report.quality.max_dihedral_deg = 151.0;
-  if (knows_organ) built.report.quality.organ_fit = model::OrganFit{-0.011, 0.21, 0.0, 0.0, 4.4};
+  if (knows_organ) built.report.quality.organ_fit = model::OrganFit{volume_error, 0.21, 0.0, 0.0, 4.4};
   applied.state[part::model] = std::make_shared<const model::BuiltModel>(std::move(built));
   return true;
 }

@@ -41,6 +41,7 @@ class FakeOperation {
   PatientModel model;
   std::vector<std::string> model_notes;  ///< what building it tells
   bool knows_organ = true;               ///< false: the mesh is as one that was imported
+  double volume_error = -0.011;          ///< of the mesh, as a share of the organ
   StereoRig rig;
   CameraFromCt camera_from_ct;
   std::filesystem::path video;  ///< side by side

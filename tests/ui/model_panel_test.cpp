@@ -185,6 +185,14 @@ void ModelPanelTest::WhatCannotBeComparedIsNotShownAsPerfect() {
   QTRY_VERIFY(text("model_summary").contains(QStringLiteral("not known")));
   for (const char* row : {"Volume error", "Mesh to fine surface, mean", "Fine surface to mesh, largest"})
     QVERIFY2(!shown().contains(QString::fromLatin1(row)), row);
+  operation_->knows_organ = true;
+  for (const auto& [error, words] :
+       {std::pair{0.08, "8.0 % more volume than the organ"}, {-0.08, "8.0 % less volume than the organ"}}) {
+    operation_->volume_error = error;
+    window_->engine().post(engine::BuildModel{});
+    QVERIFY(settle());
+    QTRY_VERIFY2(text("model_summary").contains(QString::fromLatin1(words)), words);
+  }
   QVERIFY(shown().contains(QStringLiteral("Tetrahedra")));
 }
 

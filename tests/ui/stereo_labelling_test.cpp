@@ -341,6 +341,7 @@ void StereoLabellingTest::KeyboardReachesEverythingByAName() {
 void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
   const auto* warning = window_->findChild<QLabel*>(QStringLiteral("stereo_warnings"));
   QVERIFY(!warning->isVisible());
+  QVERIFY(!editor(Side::left).dots().empty());
   const auto other = rendered::pair(rendered::plane({0, 0, 0.1}, {0, 0, -1}), {0.002, 30.0, 1.0});
   stereo::write_picture(folder_.path() / "l2.png", other.left);
   stereo::write_picture(folder_.path() / "r2.png", other.right);
@@ -348,6 +349,9 @@ void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
   QVERIFY(settle());
   QTRY_VERIFY(warning->isVisible() && warning->text().contains(QStringLiteral("another frame")));
   QVERIFY(!panel().stereo_view().drawing().can_undo());  // those steps were the other frame's
+  // The points lie elsewhere in these pictures; in three dimensions they stay.
+  QVERIFY(editor(Side::left).dots().empty() && editor(Side::right).dots().empty());
+  QVERIFY(window_->findChild<QLabel*>(QStringLiteral("cloud_legend"))->text().contains("Out of date"));
   // Who moves one stores all; the others are the other frame's still.
   const std::size_t others = state()[part::regions]->regions.size() - 1;
   const auto corner = state()[part::regions]->regions[0].polygon[0];

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 #include <QtTest>
+#include <algorithm>
 
 #include "../stereo/rendered_board.h"
 #include "../stereo/rendered_pair.h"
@@ -172,6 +173,17 @@ class StereoSourcesTest : public QObject {
     QVERIFY2(third.error.find("Keep 3") != std::string::npos, third.error.c_str());
     QVERIFY(engine.state()[part::rig] == rig);
     QVERIFY(dialog.again().button()->isEnabled());  // with other ticks
+
+    // Figures of another request than the present one would pass for its own.
+    const auto says_baseline = [&] {
+      const auto labels = dialog.findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisibleTo(label->window()) && label->text() == QStringLiteral("Baseline");
+      });
+    };
+    QVERIFY(says_baseline());
+    child<QDoubleSpinBox>(dialog, "board_square").setValue(12.5);
+    QVERIFY(!says_baseline());
   }
 
   void WrongBoardSizeIsSaid() {

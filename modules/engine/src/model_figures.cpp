@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "glisson/engine/parts/model.h"
 #include "glisson/model/quality.h"
@@ -33,11 +34,11 @@ Applied with_model(const CaseState& state, model::BuiltModel built) {
   applied.figures["model_beams"] = beams;
   applied.figures["model_lesions"] = static_cast<double>(lesion_centres(model).size());
   applied.figures["model_edge_mean_mm"] = 1e3 * model::mean_edge_length(model.mesh);
-  double worst = 0.0;
+  double worst = std::numeric_limits<double>::quiet_NaN();  // of none
   for (const model::LesionVolume& lesion : model::lesion_volumes(model))
     if (lesion.volume > kLesionToCount && lesion.mesh_volume > 0.0)
-      worst = std::max(worst, std::abs(lesion.mesh_volume / lesion.volume - 1.0));
-  applied.figures["model_lesion_volume_error_max"] = worst;
+      worst = std::fmax(worst, std::abs(lesion.mesh_volume / lesion.volume - 1.0));
+  if (std::isfinite(worst)) applied.figures["model_lesion_volume_error_max"] = worst;
   applied.notes = built.report.notes;
   applied.state[part::model] = std::make_shared<const model::BuiltModel>(std::move(built));
   return applied;

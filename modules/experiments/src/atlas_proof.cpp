@@ -22,8 +22,9 @@ using atlas::Structure;
 constexpr int kSyntheticLivers = 10;
 constexpr std::uint64_t kFirstSeed = 9000;  // of livers that the built-in atlas has not
 
-/// Mean and worst over livers, and the share of points within their ellipsoids.
+/// Mean and worst over livers, and the share of points within their ellipsoids; of none nothing.
 void add(Figures& figures, const std::string& prefix, const std::vector<LeftOut>& livers) {
+  if (livers.empty()) return;
   std::map<Structure, std::vector<LeftOutStructure>> found;
   double surface = 0.0, worst = 0.0;
   for (const LeftOut& liver : livers) {
@@ -133,7 +134,7 @@ class Proof {
     }
     add(proof_.figures, "real_", result->left_out);
     add(proof_.figures, "real_even_", even);
-    if (!odd.empty()) add(proof_.figures, "real_odd_", odd);
+    add(proof_.figures, "real_odd_", odd);
     proof_.figures["real_build_s"] = seconds_;
     proof_.figures["real_modes"] = result->quality.compactness_modes;
     proof_.figures["real_generality_mm"] = 1e3 * result->quality.generality;
@@ -169,7 +170,7 @@ class Proof {
     proof_.figures["mirrored_refused_or_doubted_share"] = said / count;
     proof_.figures["transfer_slowest_s"] = slowest;
     add(proof_.figures, "built_in_even_", even);
-    if (!odd.empty()) add(proof_.figures, "built_in_odd_", odd);
+    add(proof_.figures, "built_in_odd_", odd);
     even.insert(even.end(), odd.begin(), odd.end());
     add(proof_.figures, "built_in_", even);
     members_ = std::move(taken);

@@ -87,10 +87,11 @@ Points read_true_nodes(const fs::path& path, LengthUnit unit) {
 Figures cloud_figures(const LabelledCloud& cloud, const Camera& left, const fs::path& truth,
                       LengthUnit unit) {
   const stereo::CloudErrors errors = cloud_errors(cloud, left, truth, unit);
-  return {{"cloud_error_median_mm", 1e3 * errors.distance.median},
-          {"cloud_error_mean_mm", 1e3 * errors.distance.mean},
-          {"cloud_error_p95_mm", 1e3 * errors.distance.percentile_95},
-          {"cloud_bias_mm", 1e3 * errors.bias},
+  const double millimetre = errors.distance.count > 0 ? 1e3 : std::numeric_limits<double>::quiet_NaN();
+  return {{"cloud_error_median_mm", millimetre * errors.distance.median},
+          {"cloud_error_mean_mm", millimetre * errors.distance.mean},
+          {"cloud_error_p95_mm", millimetre * errors.distance.percentile_95},
+          {"cloud_bias_mm", millimetre * errors.bias},
           {"cloud_points_without_truth", errors.without_truth}};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 namespace glisson::experiments {
 namespace {
@@ -151,7 +152,9 @@ TreeScore score_tree(const VesselTree& truth, const std::vector<VesselTree>& fou
         ++score.bridges;
     }
   }
-  if (nodes > 0) score.mean /= nodes;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  score.mean = nodes > 0 ? score.mean / nodes : unknown;
+  if (nodes == 0) score.worst = unknown;
   for (const Branch& branch : branches) {
     if (branch.radius < kThick) continue;
     int inside = 0, near = 0;

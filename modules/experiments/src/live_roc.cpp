@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kFactors[] = {0.4, 0.6, 0.8, 1.0, 1.25, 1.6, 2.5, 4.0};
 
-/// The share of scores from `limit` on.
+/// The share of scores from `limit` on; not a number of none.
 double share_from(const std::vector<double>& scores, double limit) {
-  if (scores.empty()) return 1.0;
+  if (scores.empty()) return std::nan("");
   const auto from =
       std::count_if(scores.begin(), scores.end(), [limit](double score) { return score >= limit; });
   return static_cast<double>(from) / static_cast<double>(scores.size());
@@ -27,7 +27,7 @@ void Roc::add(double score, double error, bool is_sound) {
 }
 
 double Roc::area() const {
-  if (far_.empty() || sound_.empty()) return 1.0;
+  if (far_.empty() || sound_.empty()) return std::nan("");
   std::vector<double> sorted = sound_;
   std::sort(sorted.begin(), sorted.end());
   double wins = 0.0;
@@ -39,17 +39,21 @@ double Roc::area() const {
 }
 
 double Roc::far_hidden(double factor) const { return share_from(far_, factor); }
-double Roc::near_valid(double factor) const {
-  return sound_.empty() ? 1.0 : 1.0 - share_from(sound_, factor);
-}
+double Roc::near_valid(double factor) const { return 1.0 - share_from(sound_, factor); }
 
 std::vector<std::string> Roc::table(const std::string& title) const {
+  const auto number = [](const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return std::isnan(value) ? std::string("-") : std::string(text);
+  };
   char line[160];
-  std::snprintf(line, sizeof line, "%s: area %.4f", title.c_str(), area());
+  std::snprintf(line, sizeof line, "%s: area %s", title.c_str(), number("%.4f", area()).c_str());
   std::vector<std::string> lines{line, "limits times   >10 mm hidden %   <3 mm valid %"};
   for (const double factor : kFactors) {
-    std::snprintf(line, sizeof line, "%12.2f %17.1f %15.1f", factor, 100.0 * far_hidden(factor),
-                  100.0 * near_valid(factor));
+    std::snprintf(line, sizeof line, "%12.2f %17s %15s", factor,
+                  number("%.1f", 100.0 * far_hidden(factor)).c_str(),
+                  number("%.1f", 100.0 * near_valid(factor)).c_str());
     lines.emplace_back(line);
   }
   return lines;

@@ -18,8 +18,8 @@ class Roc {
   /// @param score 1 and more: not valid. @param error metres. @param is_sound it is no fault's frame.
   void add(double score, double error, bool is_sound);
   bool empty() const { return far_.empty() && sound_.empty(); }
-  /// Area under the curve: how probably a far frame scores more than a near one without a fault. 1 where
-  /// there are none of either.
+  /// Area under the curve: how probably a far frame scores more than a near one without a fault. Not a number
+  /// where there are none of either; nor are the shares of none.
   double area() const;
   /// Shares of far frames that are not valid and of near ones without a fault that are, were all limits
   /// `factor` times as large.

@@ -2,6 +2,7 @@
 #include "live_tally.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "glisson/core/statistics.h"
@@ -12,7 +13,9 @@ namespace {
 constexpr double kFrameRate = 30.0;  ///< of the films
 constexpr int kEnoughShown = 30;     ///< valid frames of a fault, to be compared with a frozen model
 
-double share(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : 1.0; }
+/// Not a number of nothing: no aim is met by what did not happen.
+double share(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : std::nan(""); }
+double seconds(int frames) { return frames >= 0 ? frames / kFrameRate : std::nan(""); }
 
 std::string percent(int part, int whole) {
   if (whole == 0) return "-";
@@ -188,10 +191,10 @@ void LiveTally::sum_up(const std::string& title, const std::string& prefix, Live
   for (const auto& [name, key] : {std::pair{"none", "still_mean_mm"}, {"scope_moves", "scope_mean_mm"}})
     if (const auto found = tallies_.find(name); found != tallies_.end())
       proof.figures[prefix + key] = 1e3 * found->second.error_sum / found->second.frames;
-  double of_frozen = 0.0;
+  double of_frozen = std::nan("");
   for (const std::string& name : comparable_)
     if (const FaultTally& one = tallies_.at(name); one.shown_frames >= kEnoughShown && one.frozen_sum > 0.0)
-      of_frozen = std::max(of_frozen, one.shown_sum / one.frozen_sum);
+      of_frozen = std::fmax(of_frozen, one.shown_sum / one.frozen_sum);
   proof.figures[prefix + "of_frozen_share"] = of_frozen;
   proof.figures[prefix + "roc_area"] = roc_.area();
   proof.figures[prefix + "far_frames"] = whole.far;
@@ -199,8 +202,8 @@ void LiveTally::sum_up(const std::string& title, const std::string& prefix, Live
   proof.figures[prefix + "far_hidden_before_share"] = share(whole.far_hidden_before, whole.far);
   proof.figures[prefix + "near_valid_share"] = share(whole.near_valid, whole.near);
   proof.figures[prefix + "near_sound_valid_share"] = share(whole.near_sound_valid, whole.near_sound);
-  proof.figures[prefix + "latest_seconds"] = whole.latest / kFrameRate;
-  proof.figures[prefix + "return_seconds"] = whole.returned / kFrameRate;
+  proof.figures[prefix + "latest_seconds"] = seconds(whole.latest);
+  proof.figures[prefix + "return_seconds"] = seconds(whole.returned);
   proof.figures[prefix + "frame_p50_ms"] = lower_percentile(whole.milliseconds, 0.5);
   proof.figures[prefix + "frame_p99_ms"] = lower_percentile(whole.milliseconds, 0.99);
 }

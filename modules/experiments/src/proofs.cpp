@@ -152,8 +152,11 @@ ProofPage page_of(const Proof& proof, const ProofChoices& choices, const Proven&
 
 fs::path folder_for(const ProofPage& page, const std::optional<fs::path>& wanted, const fs::path& here) {
   if (wanted) return *wanted;
-  if (verdict(page.aims, page.figures) == Verdict::not_measured) return {};
-  return figures_of_checkout(here);
+  // One that is missed does not make up for another that was not measured.
+  const bool has_gaps = std::any_of(page.aims.begin(), page.aims.end(), [&](const Aim& aim) {
+    return verdict(aim, page.figures) == Verdict::not_measured;
+  });
+  return has_gaps ? fs::path() : figures_of_checkout(here);
 }
 
 }  // namespace glisson::experiments

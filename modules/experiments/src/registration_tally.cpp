@@ -20,6 +20,9 @@ const char* proof_set_code(ProofSet set) {
   return set == ProofSet::development ? "development" : "validation";
 }
 
+/// Not a number of nothing: no aim is met by what did not happen.
+double share_of(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : std::nan(""); }
+
 template <class... Values>
 std::string text(const char* format, Values... values) {
   char line[400];
@@ -35,6 +38,11 @@ struct Mean {
   }
   double value() const { return count > 0 ? sum / count : std::nan(""); }
 };
+
+/// Millimetres; "-" of nothing.
+std::string shown(const Mean& mean) {
+  return mean.count > 0 ? text("%.2f", millimetres(mean.value())) : std::string("-");
+}
 
 struct Cell {
   Mean ours, paper, rigid, lesion;
@@ -214,10 +222,9 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
   proof.table.push_back(name);
   proof.table.emplace_back("handled    seen %  trials  ours mm  paper mm  rigid mm  lesion mm  doubted");
   const auto row = [&](const std::string& what, double share, const Cell& cell) {
-    proof.table.push_back(text("%-10s %6.0f %7d %8.2f %9.2f %9.2f %10.2f %8d", what.c_str(), 100.0 * share,
-                               cell.count, millimetres(cell.ours.value()), millimetres(cell.paper.value()),
-                               millimetres(cell.rigid.value()), millimetres(cell.lesion.value()),
-                               cell.doubted));
+    proof.table.push_back(text("%-10s %6.0f %7d %8s %9s %9s %10s %8d", what.c_str(), 100.0 * share,
+                               cell.count, shown(cell.ours).c_str(), shown(cell.paper).c_str(),
+                               shown(cell.rigid).c_str(), shown(cell.lesion).c_str(), cell.doubted));
   };
   int beaten = 0;
   for (const auto& [key, cell] : cells) {
@@ -242,11 +249,10 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
   tell("all", sum);
   proof.figures[prefix + "trials"] = sum.count;
   proof.figures[prefix + "far"] = sum.far;
-  proof.figures[prefix + "far_told_share"] = sum.far > 0 ? sum.far_told / static_cast<double>(sum.far) : 1.0;
+  proof.figures[prefix + "far_told_share"] = share_of(sum.far_told, sum.far);
   proof.figures[prefix + "near"] = sum.near;
-  proof.figures[prefix + "near_doubted_share"] =
-      sum.near > 0 ? sum.near_told / static_cast<double>(sum.near) : 0.0;
-  proof.figures[prefix + "rigid_beaten_share"] = beaten / static_cast<double>(cells.size());
+  proof.figures[prefix + "near_doubted_share"] = share_of(sum.near_told, sum.near);
+  proof.figures[prefix + "rigid_beaten_share"] = share_of(beaten, static_cast<int>(cells.size()));
   add_expected(trials, prefix, proof);
 }
 

@@ -63,6 +63,7 @@ class Trials {
       options.start = registration::RegisterOptions::Start::given;
       options.given = mistaken(stage_, handling);
     }
+    trial.rigid_mean = rigid_mean(handling);
     const Stopwatch watch;
     try {
       const auto examined = registrar_.run(cloud, options);
@@ -84,6 +85,13 @@ class Trials {
   }
 
  private:
+  /// What no rigid motion explains, however the registration goes. Metres.
+  double rigid_mean(std::size_t handling) const {
+    const Points& rest = stage_.model.mesh.vertices;
+    const Points truth = stage_.by(handling).carry(rest);
+    return (fit_rigid<CameraFrame, CtFrame>(rest, truth).apply(rest) - truth).rowwise().norm().mean();
+  }
+
   void compare(const registration::ExaminedRegistration& examined, std::size_t handling,
                RegistrationFault fault, RegistrationTrial& trial) const {
     const registration::Registered& made = examined.registered;
@@ -100,8 +108,6 @@ class Trials {
     trial.figures["seen_share"] = made.registration.seen_share;
     trial.figures["residual_mm"] = 1e3 * made.registration.residual;
     trial.figures["rigid_residual_mm"] = 1e3 * made.rigid_residual.value_or(0.0);
-    const auto best = fit_rigid<CameraFrame, CtFrame>(stage_.model.mesh.vertices, truth);
-    trial.rigid_mean = (best.apply(stage_.model.mesh.vertices) - truth).rowwise().norm().mean();
   }
 
   /// What the registration expects of the lesions' errors, and whether the truth lies in the ellipsoids.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <mutex>
 
 #include "glisson/experiments/registration_proof.h"
@@ -19,8 +20,10 @@ struct RegistrationTrial {
   std::vector<double> lesions;   ///< errors of the lesions, likewise
   std::vector<double> expected;  ///< what the registration itself expects of them; empty: it does not say
   std::vector<char> covered;     ///< whether the lesion's 95 % ellipsoid holds the truth
-  double rigid_mean = 0.0;       ///< left by the best rigid alignment of true correspondences
-  double paper_mean = 0.0;       ///< of the paper's method
+  /// Left by the best rigid alignment of true correspondences; of the paper's method. Not a number: not
+  /// tried.
+  double rigid_mean = std::numeric_limits<double>::quiet_NaN();
+  double paper_mean = std::numeric_limits<double>::quiet_NaN();
   double seconds = 0.0;
   bool refused = false;
   std::vector<std::string> doubts;

@@ -34,17 +34,20 @@ Table table_of(const Sensitivity& found) {
 }
 
 /// The largest mean distance of small shifts (not below, at 3 mm too), of all shifts, of any stiffness from
-/// half to twice, and of any stiffness.
+/// half to twice, and of any stiffness. Metres; not a number: none was tried, or none came to rest. What
+/// stays as it is has no part in them.
 struct Extremes {
-  double small = 0.0, place = 0.0, halved_or_doubled = 0.0, stiffness = 0.0;
+  double small = NAN, place = NAN, halved_or_doubled = NAN, stiffness = NAN;
 };
 Extremes extremes_of(const Sensitivity& found) {
   Extremes most;
   for (const ShiftRow& row : found.shifts) {
+    if (row.shift == 0.0) continue;
     if (row.shift <= kSmallShift) most.small = std::fmax(most.small, row.mean.surface);
     most.place = std::fmax(most.place, row.mean.surface);
   }
   for (const StiffnessRow& row : found.stiffness) {
+    if (row.factor == 1.0) continue;
     if (row.factor >= 0.5 && row.factor <= 2.0)
       most.halved_or_doubled = std::fmax(most.halved_or_doubled, row.distance.surface);
     most.stiffness = std::fmax(most.stiffness, row.distance.surface);

@@ -46,8 +46,11 @@ class Soak {
     std::erase_if(runs_, [](const SoakRun& run) { return run.is_empty(); });
     for (const SoakRun& run : runs_) add(run.figures());
     result_.page = page();
-    result_.passed = trial_.passed() && std::all_of(runs_.begin(), runs_.end(),
-                                                    [](const SoakRun& run) { return run.is_flat(); });
+    // Nothing done proves nothing, nor does a program that was never caught at work.
+    const bool was_tried = options_.kills == 0 ? !runs_.empty() : trial_.kills > 0;
+    result_.passed =
+        was_tried && trial_.passed() &&
+        std::all_of(runs_.begin(), runs_.end(), [](const SoakRun& run) { return run.is_flat(); });
     return std::move(result_);
   }
 
@@ -157,7 +160,7 @@ class Soak {
         "and written. `edits`: a stroke of the brush and its undo, after which the labels were the same "
         "to the voxel.\n" +
         losses_;
-    return trial_.kills == 0 ? text : text + kills_text();
+    return options_.kills == 0 ? text : text + kills_text();
   }
 
   std::string kills_text() const {

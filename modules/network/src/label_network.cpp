@@ -142,10 +142,10 @@ class Merging {
 };
 
 /// Each piece of what was found as lesion becomes a lesion of its own, the largest first; what is too small
-/// is parenchyma. @param fresh which voxels those are
+/// is parenchyma, or as it was where that is locked. @param fresh which voxels those are
 void number_lesions(std::vector<Label>& labels, const std::vector<std::uint8_t>& fresh,
-                    const VolumeGrid& grid, const LabelSheet& sheet, const std::vector<Label>& locked,
-                    std::vector<std::string>& notes) {
+                    const std::vector<Label>& former, const VolumeGrid& grid, const LabelSheet& sheet,
+                    const Merging& merging, std::vector<std::string>& notes) {
   const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, fresh, 0.0);
   if (box.empty()) return;
   const Mask mask = crop(grid.size, grid.spacing_mm, fresh, box);
@@ -155,7 +155,7 @@ void number_lesions(std::vector<Label>& labels, const std::vector<std::uint8_t>&
   Label next = structure::kFirstLesion;
   long small = 0;
   for (std::size_t piece = 0; piece < sizes.size(); ++piece) {
-    while (std::find(locked.begin(), locked.end(), next) != locked.end()) ++next;
+    while (merging.is_locked(next)) ++next;
     const double ml = 1e-3 * grid.voxel_volume_mm3() * static_cast<double>(sizes[piece]);
     const bool counts = ml >= sheet.least_lesion_ml && next <= structure::kLastLesion;
     if (counts)
@@ -167,9 +167,10 @@ void number_lesions(std::vector<Label>& labels, const std::vector<std::uint8_t>&
   for (int k = 0; k < mask.size.z(); ++k)
     for (int j = 0; j < mask.size.y(); ++j)
       for (int i = 0; i < mask.size.x(); ++i)
-        if (const int piece = pieces[mask.offset(i, j, k)]; piece > 0)
-          labels[static_cast<std::size_t>(grid.offset(box.low + Eigen::Vector3i(i, j, k)))] =
-              names[static_cast<std::size_t>(piece)];
+        if (const int piece = pieces[mask.offset(i, j, k)]; piece > 0) {
+          const auto at = static_cast<std::size_t>(grid.offset(box.low + Eigen::Vector3i(i, j, k)));
+          labels[at] = merging.of(former[at], names[static_cast<std::size_t>(piece)]);
+        }
 }
 
 LabelMap map_of(const VolumeGrid& grid, const std::vector<Label>& labels, const LabelMap* kept) {
@@ -226,7 +227,7 @@ Cancellable<NetworkLabels> label_by_network(const Image& image, const std::files
   }
   NetworkLabels made;
   made.tiles = labelling.tiles();
-  number_lesions(*labels, lesions, image.grid, sheet, options.locked, made.notes);
+  number_lesions(*labels, lesions, former, image.grid, sheet, merging, made.notes);
   made.labels = map_of(image.grid, *labels, kept);
   return made;
 }

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
@@ -61,6 +62,12 @@ TaskButton::TaskButton(EngineBridge& engine, const QString& text,
   });
   connect(&engine_, &EngineBridge::tasks_changed, this, &TaskButton::show_tasks);
   connect(&engine_, &EngineBridge::finished, this, &TaskButton::show_outcome);
+  connect(&engine_, &EngineBridge::case_changed, this,
+          [this, number = engine_.snapshot()->case_number]() mutable {
+            if (std::exchange(number, engine_.snapshot()->case_number) == number) return;
+            outcome_->hide();  // it was said of another case
+            show_state();
+          });
   show_state();
 }
 

@@ -158,9 +158,12 @@ QStringList QualitySheet::fit_findings() const {
            "organ "
            "to compare it with.")};
   QStringList found;
-  if (std::abs(fit->volume_error) > kVolumeToLookAt)
+  if (fit->volume_error < -kVolumeToLookAt)
     found << tr("The mesh holds %1 % less volume than the organ. More vertices follow it more closely.")
                  .arg(-100.0 * fit->volume_error, 0, 'f', 1);
+  if (fit->volume_error > kVolumeToLookAt)
+    found << tr("The mesh holds %1 % more volume than the organ. More vertices follow it more closely.")
+                 .arg(100.0 * fit->volume_error, 0, 'f', 1);
   if (fit->vertices_to_fine_mean_mm > kDistanceToLookAtMm)
     found << tr("The mesh's vertices lie %1 mm beside the organ's surface on average.")
                  .arg(fit->vertices_to_fine_mean_mm, 0, 'f', 1);

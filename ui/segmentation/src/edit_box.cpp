@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/edit_texts.h"
@@ -276,7 +277,7 @@ void EditBox::show_region() {
 }
 
 QString EditBox::text_of(const BranchPreview::Shown& shown) const {
-  if (!shown.problem.empty()) return QString::fromStdString(shown.problem);
+  if (!shown.problem.empty()) return error_text(shown.problem);
   const QString ml = QString::number(session_.ml_of(shown.result.voxels_changed), 'f', 2);
   const auto* moved = shown.edit.tool.get_if<editing::ReassignBranch>();
   if (moved == nullptr) {
@@ -335,7 +336,7 @@ void EditBox::show_state() {
     text = obstacle_text(obstacle);
     role = "warning";
   } else if (!session_.problem().empty()) {
-    text = QString::fromStdString(session_.problem());
+    text = error_text(session_.problem());
     role = "error";
   } else if (session_.shows_preview()) {
     const long voxels = session_.voxels_to_change();

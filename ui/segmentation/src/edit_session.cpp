@@ -76,6 +76,7 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
   connect(&views_, &ViewState::gestured, this, &EditSession::hear);
   connect(&views_, &ViewState::volume_lassoed, this, &EditSession::cut_volume);
   connect(&views_, &ViewState::brush_turned, this, [this](double notches) {
+    if (hand_of(tool_, settings_) != Hand::brush) return;  // it is somebody else's brush
     EditSettings next = settings_;
     next.brush_radius = brush_after(next.brush_radius, notches);
     set_settings(next);
@@ -160,6 +161,8 @@ EditObstacle EditSession::obstacle() const {
 void EditSession::show_case() {
   if (engine_.state()[part::image] != clicked_in_) {
     clicked_in_ = engine_.state()[part::image];
+    problem_.clear();  // of what was done to the former one
+    notes_.clear();
     drop_clicks();
   }
   const auto& labels = engine_.state()[part::labels];

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "glisson/engine/commands/segment_by_network.h"
+#include "glisson/engine/parts/image.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -35,6 +36,11 @@ NetworkBox::NetworkBox(EngineBridge& engine, QWidget* parent) : QWidget(parent),
   connect(run_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
     notes_->setText(notes_text(outcome.notes));
     notes_->setVisible(!outcome.notes.empty());
+  });
+  connect(&engine_, &EngineBridge::case_changed, this, [this] {
+    if (engine_.state()[part::image] == image_) return;
+    image_ = engine_.state()[part::image];
+    notes_->hide();  // they were said of the former one
   });
 }
 

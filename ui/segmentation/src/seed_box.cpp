@@ -357,6 +357,7 @@ void SeedBox::show_case() {
   if (engine_.state()[part::image] != image_) {
     image_ = engine_.state()[part::image];
     known_lesions_.clear();
+    notes_->hide();  // they were said of the former one
   }
   // While own edits are on their way the box is ahead of the case.
   if (storing_.empty() && engine_.state()[part::seeds] != taken_) {

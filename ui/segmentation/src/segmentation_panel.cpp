@@ -207,6 +207,12 @@ QList<QAction*> SegmentationPanel::history_actions() const {
 
 void SegmentationPanel::show_case() {
   const engine::CaseState& now = engine().state();
+  if (const std::uint64_t number = engine().snapshot()->case_number; number != marks_of_) {
+    marks_of_ = number;
+    hidden_.clear();  // another patient's lesion is not hidden because one of the former was
+    locked_.clear();
+    take_marks();
+  }
   if (now[part::statistics] != shown_statistics_ || now[part::review] != shown_review_ ||
       session_->shows_hounsfield() != shown_hounsfield_ || table_->topLevelItemCount() == 0) {
     shown_hounsfield_ = session_->shows_hounsfield();

@@ -102,6 +102,11 @@ void ImageImport::ask_modality() {
       engine_.post(image);
     });
   };
+  // What is said is of the image that is open: where another comes meanwhile, the question goes.
+  connect(&engine_, &EngineBridge::case_changed, box,
+          [this, box, asked = engine_.state()[engine::part::image]] {
+            if (engine_.state()[engine::part::image] != asked) box->reject();
+          });
   add(tr("MRI"), "modality_mr", Modality::mr);
   add(tr("CT"), "modality_ct", Modality::ct);
   box->addButton(tr("Neither"), QMessageBox::RejectRole);

@@ -14,6 +14,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <algorithm>
 #include <utility>
 
 #include "glisson/engine/commands/export_labels.h"
@@ -51,6 +52,13 @@ namespace {
 
 constexpr int kControlsWidth = 360;
 constexpr QSize kLargestAtStart(1600, 1000);  ///< smaller screens are filled
+
+/// Whether there is anything that a case would keep: labels or regions alone are a person's work, too.
+bool holds_anything(const engine::CaseState& state) {
+  const auto& parts = engine::all_parts();
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const engine::Part part) { return part.type().is_saved() && state.has(part); });
+}
 
 engine::SaveCase save_to(const std::filesystem::path& place) {
   return {place, !place.empty()};  // a place that was chosen was asked about
@@ -345,9 +353,8 @@ void MainWindow::show_middle() {
 
 void MainWindow::show_case() {
   const engine::CaseState& now = engine_.state();
-  const QString name = now.path.empty()
-                           ? (now[part::image] || now[part::model] ? tr("unsaved case") : QString())
-                           : QString::fromStdString(now.path.filename().string());
+  const QString name = now.path.empty() ? (holds_anything(now) ? tr("unsaved case") : QString())
+                                        : QString::fromStdString(now.path.filename().string());
   const auto& keeping = now[part::keeping];
   const bool for_reading = keeping && keeping->writer;
   setWindowTitle(name.isEmpty() ? tr("Glisson")

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/source.h"
 
@@ -23,7 +24,8 @@ void PatientIdentity::show_case(const engine::CaseState& state) {
     if (!source->patient_id.empty()) words << tr("ID %1").arg(QString::fromStdString(source->patient_id));
     if (!source->birth_date.empty()) words << tr("born %1").arg(QString::fromStdString(source->birth_date));
   }
-  if (words.isEmpty() && (state[part::image] || state[part::model])) words << tr("Anonymous");
+  if (words.isEmpty() && (state[part::image] || state[part::labels] || state[part::model]))
+    words << tr("Anonymous");
   const QString all = words.join(QStringLiteral("  ·  "));
   setText(fontMetrics().elidedText(all, Qt::ElideRight, kWidest));
   setToolTip(all.toHtmlEscaped());

@@ -68,6 +68,7 @@ void TaskStatus::show_tasks() {
   bar_->setTextVisible(is_unasked);
   if (is_unasked) return;
   set_style_property(text_, "role", "");
+  text_->setToolTip({});
   const QString text = running->stage.empty()
                            ? command_text(running->traits.code)
                            : tr("%1: %2").arg(command_text(running->traits.code), stage_text(running->stage));
@@ -90,9 +91,9 @@ void TaskStatus::show_outcome(const engine::Outcome& outcome) {
     case engine::Status::failed:
       set_style_property(text_, "role", "error");
       text_->setText(error_text(outcome.error));
-      text_->setToolTip(text_->text());
       break;
   }
+  text_->setToolTip(outcome.status == engine::Status::failed ? text_->text() : QString());
 }
 
 }  // namespace glisson::ui

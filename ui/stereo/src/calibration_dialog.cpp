@@ -162,6 +162,8 @@ void CalibrationDialog::choose_folder() {
 
 void CalibrationDialog::change_request() {
   if (results_->sheet()) results_->set_sheet(nullptr);
+  figures_->clear();
+  notes_->hide();
   show_state();
 }
 

@@ -225,7 +225,7 @@ void StereoView::set_pair(std::shared_ptr<const engine::StereoInput> frame,
 void StereoView::set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stale,
                            std::shared_ptr<const engine::PairPoints> points) {
   const bool first = !shown_ && cloud;
-  const bool changed = shown_ != cloud;
+  const bool changed = shown_ != cloud || pair_points_ != points;
   shown_ = std::move(cloud);
   pair_points_ = std::move(points);
   stale_ = stale;
@@ -262,11 +262,14 @@ void StereoView::show_guide() {
       .set_guide(stereo::epipolar_line(*rig_, place->side, place->pixel).pixels, std::nullopt);
 }
 
+bool StereoView::are_of_this_pair() const { return !pair_points_ || pair_points_->frame == frame_; }
+
 void StereoView::show_points() {
+  const bool shows = points_->isChecked() && shown_ && rig_ && are_of_this_pair();
   for (const Side side : {Side::left, Side::right}) {
     std::vector<Eigen::Vector2d> dots;
     std::vector<Feature> features;
-    for (int i = 0; points_->isChecked() && shown_ && rig_ && i < shown_->size(); ++i) {
+    for (int i = 0; shows && i < shown_->size(); ++i) {
       const Point<CameraFrame> p(Eigen::Vector3d(shown_->points.row(i).transpose()));
       const Eigen::Vector3d seen = side == Side::left ? p.xyz : (rig_->right_from_left * p).xyz;
       const Camera& camera = side == Side::left ? rig_->left : rig_->right;
@@ -284,7 +287,8 @@ void StereoView::show_veil() {
     left = frame_->mask.empty() ? circle_veil(frame_->frame.left) : veil_of(frame_->mask);
     if (frame_->mask.empty()) right = circle_veil(frame_->frame.right);
   }
-  if (lacking_->isChecked()) left = with_cells(left, missing_, editor(Side::left).picture());
+  if (lacking_->isChecked() && are_of_this_pair())
+    left = with_cells(left, missing_, editor(Side::left).picture());
   editor(Side::left).set_veil(left);
   editor(Side::right).set_veil(right);
 }
@@ -312,8 +316,7 @@ QString StereoView::hint() const {
   if (under_ == nullptr) {
     if (line != nullptr) return tr("Enter or a double click ends the line; Backspace takes a corner back.");
     if (drawing_.tool())
-      return tr("Click around the %1 in either picture.")
-          .arg(feature_name(drawing_.tool()->feature).toLower());
+      return tr("Click around the %1 in either picture.").arg(feature_name(drawing_.tool()->feature));
     return tr(
         "Choose a feature on the right to label it. The wheel enlarges a picture, the middle button "
         "moves it.");

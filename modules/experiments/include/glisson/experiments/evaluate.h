@@ -38,7 +38,7 @@ Points read_true_nodes(const std::filesystem::path& path, LengthUnit unit);
 
 /// A cloud against the truth in a file: a surface in the left camera's frame, or that camera's depth map
 /// (.pfm, millimetres): `cloud_error_median_mm`, `cloud_error_mean_mm`, `cloud_error_p95_mm`,
-/// `cloud_bias_mm`, `cloud_points_without_truth`.
+/// `cloud_bias_mm` (not numbers where no point has a truth), `cloud_points_without_truth`.
 /// @param unit of a surface's file.
 /// @throws FileError; InputError what cannot be read, a depth map of another size than the camera's pictures.
 Figures cloud_figures(const LabelledCloud& cloud, const Camera& left, const std::filesystem::path& truth,

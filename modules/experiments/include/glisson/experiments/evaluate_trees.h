@@ -13,7 +13,8 @@ namespace glisson::experiments {
 
 /// How the trees that were found of a structure agree with the true one. Lengths in metres.
 struct TreeScore {
-  double mean = 0.0, worst = 0.0;  ///< distance of the found nodes from the true lines
+  /// Distance of the found nodes from the true lines; not a number where nothing was found.
+  double mean = 0.0, worst = 0.0;
   int thick = 0, thick_found = 0;  ///< true branches of 2 mm mean radius and more; 80 % of their line found
   /// Found beams between places that are far apart along the true tree (20 mm more than their length): false
   /// loops, were they not cut open into a tree.

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <memory>
 #include <set>
 
 #include "glisson/ui/common/engine_bridge.h"
@@ -32,6 +33,7 @@ class NetworkBox : public QWidget {
   EngineBridge& engine_;
   std::filesystem::path network_;
   std::set<Label> locked_;
+  std::shared_ptr<const Image> image_;  ///< that the notes are of
   QPushButton* choose_;
   TaskButton* run_;
   QLabel* notes_;

@@ -60,6 +60,7 @@ class SegmentationPanel : public Panel {
   QPushButton* approve_ = nullptr;
   QPushButton* import_ = nullptr;
   std::set<Label> hidden_, locked_;
+  std::uint64_t marks_of_ = 0;  ///< the number of the case whose labels they are
   std::shared_ptr<const segmentation::LabelStatistics> shown_statistics_;
   bool shown_hounsfield_ = true;
   std::shared_ptr<const Review> shown_review_;

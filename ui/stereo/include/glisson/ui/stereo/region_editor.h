@@ -20,6 +20,7 @@ class RegionEditor : public PictureView {
   stereo::Side side() const { return side_; }
   /// Dots on top, pixels of the picture: where reconstructed points are seen.
   void set_dots(std::vector<Eigen::Vector2d> dots, std::vector<Feature> features);
+  const std::vector<Eigen::Vector2d>& dots() const { return dots_; }
   /// An epipolar line and the point that it belongs to; empty: none.
   void set_guide(std::vector<Eigen::Vector2d> line, const std::optional<Eigen::Vector2d>& point);
   const std::vector<Eigen::Vector2d>& guide() const { return guide_; }

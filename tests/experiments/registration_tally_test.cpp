@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the proof of the registration says of its trials.
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "glisson/experiments/aims.h"
+#include "registration_trials.h"
+
+using namespace glisson;
+using namespace glisson::experiments;
+
+namespace {
+
+RegistrationTrial trial(double metres, double rigid) {
+  RegistrationTrial one;
+  one.patient = "somebody";
+  one.set = ProofSet::validation;
+  one.handling = "lifted";
+  one.share = 0.2;
+  one.mean = metres;
+  one.lesions = {metres};
+  one.rigid_mean = rigid;
+  return one;
+}
+
+RegistrationProof proof_of(const std::vector<RegistrationTrial>& trials) {
+  RegistrationProof proof;
+  sum_up(trials, ProofSet::validation, proof);
+  return proof;
+}
+
+Verdict verdict_of(const char* key, const RegistrationProof& proof) {
+  const auto aim = std::find_if(registration_aims().begin(), registration_aims().end(),
+                                [key](const Aim& one) { return one.key == key; });
+  return aim == registration_aims().end() ? Verdict::missed : verdict(*aim, proof.figures);
+}
+
+}  // namespace
+
+class RegistrationTallyTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WhatDidNotHappenMeetsNoAim();
+  void AMethodThatWasNotTriedHasNoError();
+  void WhatIsWrittenIsReadAgain();
+};
+
+void RegistrationTallyTest::WhatDidNotHappenMeetsNoAim() {
+  const RegistrationProof between = proof_of({trial(5e-3, 8e-3)});  // neither far nor near
+  for (const char* key :
+       {"registration_validation_far_told_share", "registration_validation_near_doubted_share"})
+    QVERIFY2(verdict_of(key, between) == Verdict::not_measured, key);
+  QVERIFY(verdict_of("registration_validation_rigid_beaten_share", between) == Verdict::met);
+  const RegistrationProof far = proof_of({trial(20e-3, 8e-3)});
+  QVERIFY(verdict_of("registration_validation_far_told_share", far) == Verdict::missed);
+}
+
+void RegistrationTallyTest::AMethodThatWasNotTriedHasNoError() {
+  const RegistrationProof proof = proof_of({trial(5e-3, 8e-3)});
+  QVERIFY(std::isnan(proof.figures.at("registration_validation_20_paper_mean_mm")));
+  QCOMPARE(proof.figures.at("registration_validation_20_rigid_mean_mm"), 8.0);
+  QCOMPARE(proof.table[2],
+           std::string("lifted         20       1     5.00         -      8.00       5.00        0"));
+}
+
+void RegistrationTallyTest::WhatIsWrittenIsReadAgain() {
+  RegistrationTrial failed = trial(std::numeric_limits<double>::infinity(), 8e-3);
+  failed.refused = true;
+  failed.doubts = {"one 1", "two"};
+  const auto read = trials_of(csv_of({failed}), "trials.csv");
+  QCOMPARE(read.size(), std::size_t{1});
+  QVERIFY(std::isinf(read[0].mean) && read[0].refused && read[0].doubts == failed.doubts);
+  QVERIFY(std::isnan(read[0].paper_mean));
+  QCOMPARE(read[0].rigid_mean, 8e-3);
+}
+
+QTEST_APPLESS_MAIN(RegistrationTallyTest)
+#include "registration_tally_test.moc"

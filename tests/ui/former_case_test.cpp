@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was said of one case, hidden or asked in it, does not stand in the next one.
+#include <QAction>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPointer>
+#include <QStatusBar>
+
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "segmentation_window.h"
+
+namespace glisson {
+
+class FormerCaseTest : public QObject, private SegmentationWindow {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { make_ct(); }
+  void init() { show_window(); }
+  void cleanup() { window_.reset(); }
+  void HiddenAndLockedLabelsAreOfTheirCase();
+  void HowWorkEndedIsSaidOfItsCase();
+  void AnErrorsTipGoesWithTheError();
+  void WhatAnImageIsIsAskedOfThatImageAlone();
+  void ABrushElsewhereIsNotTheEditors();
+  void LabelsAloneAreKeptToo();
+
+ private:
+  /// Of the CT with labels and seeds.
+  std::filesystem::path saved_case() {
+    open_labels();
+    segmentation::Seeds seeds;
+    seeds.liver = Points::Zero(1, 3);
+    window_->engine().post(engine::SetSeeds{seeds});
+    const auto path = folder_->path() / "other.glisson";
+    window_->engine().post(engine::SaveCase{path, true});
+    return settle() ? path : std::filesystem::path();
+  }
+  void open_case(const std::filesystem::path& path) {
+    window_->engine().post(engine::OpenCase{path});
+    QVERIFY(settle());
+  }
+  /// All that a button says below itself.
+  static QString told_by(const ui::TaskButton& button) {
+    QString told;
+    for (const QLabel* text : button.findChildren<QLabel*>())
+      if (text->isVisibleTo(&button)) told += text->text();
+    return told;
+  }
+};
+
+void FormerCaseTest::HiddenAndLockedLabelsAreOfTheirCase() {
+  const auto other = saved_case();
+  click_mark(structure::kFirstLesion, ui::LabelTable::shown);
+  click_mark(structure::kPortalVein, ui::LabelTable::locked);
+  QCOMPARE(window_->views().state().style().hidden.size(), std::size_t{1});
+  QCOMPARE(session().settings().region.locked.size(), std::size_t{1});
+  open_case(other);
+  QVERIFY(window_->views().state().style().hidden.empty());
+  QVERIFY(session().settings().region.locked.empty());
+}
+
+void FormerCaseTest::HowWorkEndedIsSaidOfItsCase() {
+  const auto other = saved_case();
+  press("mode_seeds");
+  auto* segment = find<ui::TaskButton>("segment");
+  QTest::mouseClick(segment->button(), Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY2(!told_by(*segment).isEmpty(), "how it ended");
+  open_case(other);
+  QCOMPARE(told_by(*segment), QString());
+}
+
+void FormerCaseTest::AnErrorsTipGoesWithTheError() {
+  window_->engine().post(engine::ImportImage{folder_->path() / "none.nrrd"});
+  QVERIFY(settle());
+  const QLabel* line = nullptr;
+  for (const QLabel* label : window_->statusBar()->findChildren<QLabel*>())
+    if (!label->text().isEmpty() && label->text() == window_->status_text()) line = label;
+  QVERIFY(line != nullptr && line->toolTip().contains("none.nrrd"));
+  window_->engine().post(engine::ImportImage{folder_->path() / "ct.nrrd"});
+  QVERIFY(settle());
+  QCOMPARE(line->toolTip(), QString());
+}
+
+void FormerCaseTest::WhatAnImageIsIsAskedOfThatImageAlone() {
+  const auto other = saved_case();
+  window_.reset();
+  show_window();
+  Image unsaid = ct_;
+  unsaid.modality = Modality::other;
+  auto greys = std::make_shared<std::vector<std::int16_t>>(*ct_.voxels);
+  for (std::int16_t& grey : *greys) grey = static_cast<std::int16_t>(grey + 1100);  // no Hounsfield units
+  unsaid.voxels = greys;
+  write_image(folder_->path() / "unsaid.nii", unsaid);
+  window_->open(folder_->path() / "unsaid.nii");
+  QVERIFY(settle());
+  QPointer<QMessageBox> question = window_->findChild<QMessageBox*>("modality_question");
+  QVERIFY(question);
+  open_case(other);
+  QTRY_VERIFY(!question || !question->isVisible());
+  QVERIFY(window_->engine().state()[part::image]->modality == Modality::ct);
+}
+
+void FormerCaseTest::ABrushElsewhereIsNotTheEditors() {
+  open_labels();
+  const double radius = session().settings().brush_radius;
+  window_->show_step(ui::MainWindow::atlas);
+  const_cast<ui::ViewState&>(window_->views().state()).turn_brush(3.0);  // as the wheel over a slice
+  QCOMPARE(session().settings().brush_radius, radius);
+}
+
+void FormerCaseTest::LabelsAloneAreKeptToo() {
+  window_->engine().post(engine::ImportLabels{folder_->path() / "labels.seg.nrrd", {}});
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state()[part::labels] && !window_->engine().state()[part::image]);
+  QVERIFY(window_->isWindowModified());
+  const auto* who = window_->findChild<QLabel*>("patient_identity");
+  QCOMPARE(who->text(), QString("Anonymous"));
+  for (const QAction* action : window_->findChildren<QAction*>())
+    if (action->shortcut() == QKeySequence(QKeySequence::Save)) QVERIFY(action->isEnabled());
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::FormerCaseTest>(argc, argv); }
+#include "former_case_test.moc"
