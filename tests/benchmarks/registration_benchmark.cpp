@@ -14,15 +14,15 @@
 #include <memory>
 #include <optional>
 
+#include "examine.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/contact_forces.h"
 #include "glisson/registration/error_model.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/register_model.h"
-#include "glisson/registration/shape_fits.h"
 #include "lying_phantom.h"
+#include "shape_fits.h"
 
 namespace {
 

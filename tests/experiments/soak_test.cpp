@@ -5,9 +5,9 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "glisson/experiments/kill_trial.h"
-#include "glisson/experiments/soak_film.h"
-#include "glisson/experiments/soak_run.h"
+#include "kill_trial.h"
+#include "soak_film.h"
+#include "soak_run.h"
 
 using namespace glisson;
 using namespace glisson::experiments;

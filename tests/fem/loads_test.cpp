@@ -8,8 +8,8 @@
 #include "glisson/fem/loads_io.h"
 #include "glisson/fem/materials.h"
 #include "glisson/fem/simulate.h"
-#include "glisson/fem/stiffness.h"
 #include "glisson/geometry/mesh_io.h"
+#include "stiffness.h"
 
 using namespace glisson;
 using namespace glisson::fem;

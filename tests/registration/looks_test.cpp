@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several looks at one organ: joined, and where each was seen from is found together with the shape.
-#include "glisson/registration/looks.h"
+#include "looks.h"
 
 #include <QtTest>
 #include <random>

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "examine.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/error_model.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/operation_prior.h"
 #include "glisson/registration/register_model.h"

@@ -41,7 +41,6 @@
 #include "glisson/engine/register_options.h"
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
-#include "glisson/experiments/outline_distance.h"
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
@@ -49,6 +48,7 @@
 #include "glisson/insilico/film.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/stereo/picture_io.h"
+#include "outline_distance.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;

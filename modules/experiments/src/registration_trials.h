@@ -3,7 +3,7 @@
 
 #include <mutex>
 
-#include "glisson/experiments/registration_proof.h"
+#include "registration_proof.h"
 #include "registration_stage.h"
 
 namespace glisson::experiments {

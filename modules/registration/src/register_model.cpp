@@ -8,19 +8,19 @@
 #include <utility>
 #include <vector>
 
+#include "examine.h"
 #include "glisson/core/error.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/forks.h"
-#include "glisson/registration/looks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
-#include "glisson/registration/verdict.h"
+#include "looks.h"
 #include "mirror_control.h"
 #include "register_by_forces.h"
+#include "verdict.h"
 
 namespace glisson::registration {
 namespace {
