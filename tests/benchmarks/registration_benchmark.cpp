@@ -57,7 +57,7 @@ struct Case {
     cloud =
         phantom::patch(model, phantom::lying_view().apply(prior->shape(model.mesh.vertices, amplitudes)), {});
     shapes = fit(quiet());
-    whole = seconds([this] { made = register_and_examine(model, cloud, options, quiet()); });
+    whole = seconds([this] { made = register_model(model, cloud, options, quiet()); });
   }
   Cancellable<ShapeFits> fit(const RunContext& context) const {
     ShapeFitOptions alone;
@@ -126,9 +126,9 @@ void add_steps() {
   add("looks", [](Case& c) {
     benchmark::DoNotOptimize(looks_of(c.model, c.cloud, c.registration(), *c.made->error));
   });
-  add("whole", [](Case& c) { register_and_examine(c.model, c.cloud, c.options, quiet()); });
+  add("whole", [](Case& c) { register_model(c.model, c.cloud, c.options, quiet()); });
   add("whole_operations_known", [](Case& c) {
-    register_and_examine(c.model, c.cloud, c.options, quiet(), {c.options.operation, c.prior});
+    register_model(c.model, c.cloud, c.options, quiet(), {c.options.operation, c.prior});
   });
 }
 

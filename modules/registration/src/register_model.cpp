@@ -406,20 +406,11 @@ class Run {
 
 }  // namespace
 
-Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model, const LabelledCloud& cloud,
-                                                       const RegisterOptions& options,
-                                                       const RunContext& context,
-                                                       const KnownOperations& known) {
+Cancellable<ExaminedRegistration> register_model(const PatientModel& model, const LabelledCloud& cloud,
+                                                 const RegisterOptions& options, const RunContext& context,
+                                                 const KnownOperations& known) {
   options.validate();
   return Run(model, cloud, options, known, context).run();
-}
-
-Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
-                                       const RegisterOptions& options, const RunContext& context,
-                                       const KnownOperations& known) {
-  auto examined = register_and_examine(model, cloud, options, context, known);
-  if (!examined) return {};
-  return std::move(examined->registered);
 }
 
 }  // namespace glisson::registration
