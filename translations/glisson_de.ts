@@ -2704,10 +2704,6 @@
         <translation>Nehmen Sie eines von %1</translation>
     </message>
     <message>
-        <source>Give Young&apos;s modulus in Pa, the section in m2 and the length in m, all above 0</source>
-        <translation>Geben Sie den Elastizitätsmodul in Pa, den Querschnitt in m2 und die Länge in m an, alle über 0</translation>
-    </message>
-    <message>
         <source>Fix nodes or attach springs to it</source>
         <translation>Halten Sie Knoten fest, oder befestigen Sie Federn daran</translation>
     </message>

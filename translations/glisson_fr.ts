@@ -2704,10 +2704,6 @@
         <translation>Prenez l’un de %1</translation>
     </message>
     <message>
-        <source>Give Young&apos;s modulus in Pa, the section in m2 and the length in m, all above 0</source>
-        <translation>Donnez le module de Young en Pa, la section en m2 et la longueur en m, tous supérieurs à 0</translation>
-    </message>
-    <message>
         <source>Fix nodes or attach springs to it</source>
         <translation>Fixez des nœuds ou attachez-y des ressorts</translation>
     </message>

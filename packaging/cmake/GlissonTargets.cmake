@@ -1,9 +1,10 @@
 # glisson_module(NAME fem SOURCES ... [PUBLIC ...] [PRIVATE ...] [NO_PCH])
 #   a static library glisson::fem with include root modules/fem/include.
 # glisson_ui(NAME shell ... [NO_WIDGETS]) the same under ui/, with moc.
-# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [DISPLAY] [LONG] [NO_PCH])
+# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [NO_PCH])
 #   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
-#   LONG begins it before the others, so that none runs on alone at the end.
+#   LONG begins it before the others, so that none runs on alone at the end. INSIDE names modules whose headers in src/
+#   it reads: what is tested of them is not public.
 
 # Every unit of a target reads what the owner of a precompiled header built.
 function(_glisson_reuse_pch target owner)
@@ -44,7 +45,7 @@ function(glisson_ui)
 endfunction()
 
 function(glisson_test)
-  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES;INSIDE" ${ARGN})
   string(REPLACE "/" "_" target "${ARG_NAME}_test")
   get_filename_component(stem "${ARG_NAME}" NAME)
   # A test holds its class itself, so moc has one file to read: automoc would add a unit and a scan to each program.
@@ -53,7 +54,8 @@ function(glisson_test)
     COMMAND Qt6::moc -o "${moc}" "${CMAKE_CURRENT_SOURCE_DIR}/${stem}_test.cpp")
   add_executable(${target} ${stem}_test.cpp ${ARG_SOURCES} "${moc}")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
-  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/moc")
+  list(TRANSFORM ARG_INSIDE REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/modules/\\1/src")
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/moc" ${ARG_INSIDE})
   target_link_libraries(${target} PRIVATE glisson_test_flags ${ARG_LIBRARIES})
   # Qt's own headers differ where its widgets are there: those of ui/ and app/ have a precompiled header of theirs.
   set(pch glisson_test_pch)

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -76,13 +77,20 @@ inline bool is_source(const std::filesystem::path& path) {
   return path.extension() == ".h" || path.extension() == ".cpp";
 }
 
+/// Every source below a folder.
+inline std::vector<std::filesystem::path> sources_below(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> sources;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && is_source(entry.path())) sources.push_back(entry.path());
+  return sources;
+}
+
 /// Every source of every room, by room. A folder without sources is no room.
 inline std::map<std::string, std::vector<std::filesystem::path>> rooms_on_disk() {
   namespace fs = std::filesystem;
   std::map<std::string, std::vector<fs::path>> rooms;
   const auto add = [&](const std::string& name, const fs::path& folder) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file() && is_source(entry.path())) rooms[name].push_back(entry.path());
+    if (auto sources = sources_below(folder); !sources.empty()) rooms[name] = std::move(sources);
   };
   for (const auto& room : fs::directory_iterator(source_root() / "modules"))
     if (room.is_directory()) add(room.path().filename().string(), room.path());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plan of the house (house.txt) is what stands on the disk: no room more, no room less.
+// The plan of the house (house.txt) is what stands on the disk: no room more, no room less; and what stands
+// there is of a size that can be read.
 #include "house.h"
 
 #include <QtTest>
@@ -33,6 +34,40 @@ Rooms folders_in(const fs::path& folder) {
   return names;
 }
 
+constexpr int kMostLines = 500;  // of a file
+constexpr int kMostOfFunction = 80, kMostOfFunctionInApp = 60;
+
+std::vector<std::string> lines_of(std::istream&& stream) {
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Whether what begins after a line is a list: sentences, aims, rows.
+bool is_table(const std::vector<std::string>& lines, std::size_t opening) {
+  static const std::regex kList("^\\s*(return \\{|static const .* = \\{$)");
+  for (std::size_t i = opening + 1; i < std::min(lines.size(), opening + 4); ++i)
+    if (std::regex_search(lines[i], kList)) return true;
+  return false;
+}
+
+/// The first lines of functions that are longer than this, of a formatted source; tables are none.
+std::vector<std::string> longer_than(int most, const std::vector<std::string>& lines) {
+  std::vector<std::string> found;
+  for (const std::size_t indent : {0, 2}) {
+    std::size_t opening = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].find_first_not_of(' ') != indent) continue;
+      const char first = lines[i][indent];
+      if (first != '}' && first != '#' && first != '/') opening = i;
+      const bool is_end = lines[i] == std::string(indent, ' ') + "}";
+      if (is_end && i - opening >= static_cast<std::size_t>(most) && !is_table(lines, opening))
+        found.push_back(lines[opening]);
+    }
+  }
+  return found;
+}
+
 Plan plan_of(const std::string& text) {
   std::istringstream stream(text);
   return read_plan(stream);
@@ -51,6 +86,8 @@ class HouseTest : public QObject {
   void MillimetresAreNamedWhereThePlanSaysSo();
   void ListsStandForTheirRooms();
   void BrokenPlansAreRefused();
+  void FilesAndFunctionsCanBeRead();
+  void LongFunctionsAreFound();
 };
 
 void HouseTest::TheHouseIsFound() {
@@ -118,6 +155,31 @@ void HouseTest::BrokenPlansAreRefused() {
   QCOMPARE(complaint("fem : model\nmodel : fem\n"), std::string("line 1: model is not above"));
   QCOMPARE(complaint("core :\ncore :\n"), std::string("line 2: core is there twice"));
   QCOMPARE(complaint("core volume\n"), std::string("line 1: is neither 'ROOM : ...' nor 'LIST = ...'"));
+}
+
+void HouseTest::FilesAndFunctionsCanBeRead() {
+  std::string offences;
+  auto rooms = rooms_on_disk();
+  rooms["tests"] = sources_below(source_root() / "tests");
+  for (const auto& [room, sources] : rooms)
+    for (const fs::path& source : sources) {
+      const std::vector<std::string> lines = lines_of(std::ifstream(source));
+      const std::string name = room + "/" + source.filename().string();
+      if (lines.size() > kMostLines) offences += name + ": " + std::to_string(lines.size()) + " lines\n";
+      if (room == "tests") continue;
+      for (const std::string& function :
+           longer_than(room == "app" ? kMostOfFunctionInApp : kMostOfFunction, lines))
+        offences += name + ": " + function + "\n";
+    }
+  QVERIFY2(offences.empty(), ("too long to be read at once:\n" + offences).c_str());
+}
+
+void HouseTest::LongFunctionsAreFound() {
+  const std::vector<std::string> lines = lines_of(std::istringstream(
+      "int f() {\n  g();\n\n  g();\n}\nclass C {\n  void m() {\n    g();\n    g();\n    g();\n  }\n};\n"
+      "Rows rows() {\n  static const Rows kRows = {\n      1,\n      2};\n  return kRows;\n}\n"));
+  QVERIFY((longer_than(4, lines) == std::vector<std::string>{"int f() {", "  void m() {"}));
+  QVERIFY(longer_than(5, lines).empty());
 }
 
 QTEST_APPLESS_MAIN(HouseTest)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds the texts against the disk: every module has a README, short enough to be read, and what the texts
-// link to exists.
+// Holds the texts against the disk: every module has a README, its texts are short enough to be read and
+// can be found from there, and what the texts link to exists.
 #include <QtTest>
 
 #include <cctype>
@@ -104,8 +104,7 @@ std::string fault_of(const fs::path& text, const std::string& link) {
 
 std::vector<fs::path> texts() {
   std::vector<fs::path> found = {source_root() / "README.md", source_root() / "CHANGELOG.md"};
-  for (const fs::path& module : modules()) found.push_back(module / "README.md");
-  for (const char* folder : {"packaging", "tests"})
+  for (const char* folder : {"modules", "packaging", "tests"})
     for (const auto& entry : fs::recursive_directory_iterator(source_root() / folder))
       if (entry.path().extension() == ".md") found.push_back(entry.path());
   return found;
@@ -116,23 +115,49 @@ std::vector<fs::path> texts() {
 class ReadmeTest : public QObject {
   Q_OBJECT
  private slots:
-  void EveryModuleHasAReadmeThatIsShort();
+  void EveryModuleHasAReadme();
+  void TextsOfModulesAreShort();
+  void TextsOfModulesAreLedTo();
   void LinksLeadSomewhere();
   void BrokenLinksAreFound();
 };
 
-void ReadmeTest::EveryModuleHasAReadmeThatIsShort() {
+void ReadmeTest::EveryModuleHasAReadme() {
   QVERIFY2(modules().size() >= 4, "GLISSON_SOURCE_DIR must name the checkout");
+  for (const fs::path& module : modules())
+    QVERIFY2(words_in(content_of(module / "README.md")) > 0, module.c_str());
+}
+
+/// Its README, and what that leads to.
+void ReadmeTest::TextsOfModulesAreShort() {
+  std::string offences;
+  for (const fs::path& module : modules())
+    for (const auto& entry : fs::directory_iterator(module)) {
+      if (entry.path().extension() != ".md") continue;
+      const int words = words_in(content_of(entry.path()));
+      if (words > kMostWords)
+        offences += entry.path().string() + ": has " + std::to_string(words) + " words, more than " +
+                    std::to_string(kMostWords) + "\n";
+    }
+  QVERIFY2(offences.empty(), ("\n" + offences).c_str());
+}
+
+/// From the README on, so that nobody has to know that a text is there.
+void ReadmeTest::TextsOfModulesAreLedTo() {
   std::string offences;
   for (const fs::path& module : modules()) {
-    const fs::path readme = module / "README.md";
-    const int words = words_in(content_of(readme));
-    if (words == 0) offences += readme.string() + ": is missing or empty\n";
-    if (words > kMostWords)
-      offences += readme.string() + ": has " + std::to_string(words) + " words, more than " +
-                  std::to_string(kMostWords) + "\n";
+    std::set<fs::path> found = {module / "README.md"};
+    for (std::size_t before = 0; before != found.size();) {
+      before = found.size();
+      for (const fs::path& text : std::set<fs::path>(found))
+        for (const std::string& link : links_in(content_of(text)))
+          if (fs::exists(module / link)) found.insert(module / link);
+    }
+    for (const auto& entry : fs::directory_iterator(module))
+      if (entry.path().extension() == ".md" && !found.contains(entry.path()))
+        offences += entry.path().string() + "\n";
   }
-  QVERIFY2(offences.empty(), ("\n" + offences).c_str());
+  QVERIFY2(offences.empty(), ("no link leads to:\n" + offences).c_str());
 }
 
 void ReadmeTest::LinksLeadSomewhere() {

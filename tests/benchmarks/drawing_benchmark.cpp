@@ -19,6 +19,7 @@
 #include <ctime>
 
 #include "canvas.h"
+#include "glisson/core/statistics.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/model/build.h"
 #include "glisson/patient/label_map.h"
@@ -131,11 +132,6 @@ class PlainScene {
   std::vector<std::pair<const scene::DrawableSurface*, vtkSmartPointer<vtkPolyData>>> shapes_;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 /// A step's times, milliseconds.
 struct Times {
   std::vector<double> wall, processor;  ///< of all threads
@@ -157,9 +153,9 @@ Times timed(int frames, const Step& step) {
 }
 
 void say(const char* name, const Times& times, const Times& plain) {
-  const double processor = median(times.processor);
-  std::printf("| %s | %.1f | %.1f | %.1f | %.2f |\n", name, times.best(), median(times.wall), processor,
-              processor / median(plain.processor));
+  const double processor = upper_median(times.processor);
+  std::printf("| %s | %.1f | %.1f | %.1f | %.2f |\n", name, times.best(), upper_median(times.wall), processor,
+              processor / upper_median(plain.processor));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ Film make_film(int frames) {
 struct Times {
   const char* name;
   std::vector<double> values{};
-  double percentile(double share) const {
+  double at(double share) const {
     std::vector<double> sorted = values;
     std::sort(sorted.begin(), sorted.end());
     return interpolated_percentile(sorted, share);
@@ -161,8 +161,7 @@ int main(int argc, char** argv) {
               film.rig.left.width, film.rig.left.height, valid, left / done, right / done);
   std::printf("| | p50, ms | p90, ms | p99, ms | p50 over Lucas-Kanade's |\n|---|---|---|---|---|\n");
   for (const Times* times : {&track, &draw, &scale, &paint, &all, &plain})
-    std::printf("| %s | %.1f | %.1f | %.1f | %.2f |\n", times->name, times->percentile(0.5),
-                times->percentile(0.9), times->percentile(0.99),
-                times->percentile(0.5) / plain.percentile(0.5));
+    std::printf("| %s | %.1f | %.1f | %.1f | %.2f |\n", times->name, times->at(0.5), times->at(0.9),
+                times->at(0.99), times->at(0.5) / plain.at(0.5));
   return 0;
 }

@@ -14,15 +14,15 @@
 #include <memory>
 #include <optional>
 
+#include "examine.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/contact_forces.h"
 #include "glisson/registration/error_model.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/register_model.h"
-#include "glisson/registration/shape_fits.h"
 #include "lying_phantom.h"
+#include "shape_fits.h"
 
 namespace {
 
@@ -57,7 +57,7 @@ struct Case {
     cloud =
         phantom::patch(model, phantom::lying_view().apply(prior->shape(model.mesh.vertices, amplitudes)), {});
     shapes = fit(quiet());
-    whole = seconds([this] { made = register_and_examine(model, cloud, options, quiet()); });
+    whole = seconds([this] { made = register_model(model, cloud, options, quiet()); });
   }
   Cancellable<ShapeFits> fit(const RunContext& context) const {
     ShapeFitOptions alone;
@@ -126,9 +126,9 @@ void add_steps() {
   add("looks", [](Case& c) {
     benchmark::DoNotOptimize(looks_of(c.model, c.cloud, c.registration(), *c.made->error));
   });
-  add("whole", [](Case& c) { register_and_examine(c.model, c.cloud, c.options, quiet()); });
+  add("whole", [](Case& c) { register_model(c.model, c.cloud, c.options, quiet()); });
   add("whole_operations_known", [](Case& c) {
-    register_and_examine(c.model, c.cloud, c.options, quiet(), {c.options.operation, c.prior});
+    register_model(c.model, c.cloud, c.options, quiet(), {c.options.operation, c.prior});
   });
 }
 

@@ -12,7 +12,6 @@
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 #include "phantom_case.h"
@@ -105,7 +104,10 @@ void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
 
 void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
   CaseState state = phantom_case();
-  state[part::cloud] = std::make_shared<const LabelledCloud>(registration::mirrored(*state[part::cloud]));
+  LabelledCloud mirrored = *state[part::cloud];
+  mirrored.points.col(0) *= -1.0;
+  mirrored.normals.col(0) *= -1.0;
+  state[part::cloud] = std::make_shared<const LabelledCloud>(std::move(mirrored));
   Register command = register_on_few();
   command.start = Register::Start::automatic;
   CaseState done = after(state, command);

@@ -8,8 +8,8 @@
 #include "exit_code.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "glisson/experiments/patient_proof.h"
-#include "glisson/experiments/stereo_proof.h"
+#include "patient_proof.h"
+#include "stereo_proof.h"
 
 using namespace glisson;
 using namespace glisson::experiments;

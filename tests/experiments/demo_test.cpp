@@ -6,14 +6,14 @@
 #include <QtTest>
 #include <cmath>
 
+#include "atlas_proof.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
-#include "glisson/experiments/atlas_proof.h"
-#include "glisson/experiments/patient_proof.h"
 #include "glisson/insilico/layperson.h"
+#include "patient_proof.h"
 
 using namespace glisson;
 namespace fs = std::filesystem;

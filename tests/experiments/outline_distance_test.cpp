@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines whose distance is known: circles of different radii, lines shifted aside.
-#include "glisson/experiments/outline_distance.h"
+#include "outline_distance.h"
 
 #include <QtTest>
 #include <cmath>

@@ -4,9 +4,9 @@
 
 #include "data_folder.h"
 #include "glisson/core/error.h"
-#include "glisson/experiments/pulled_proof.h"
 #include "glisson/geometry/mesh_io.h"
 #include "phantom.h"
+#include "pulled_proof.h"
 #include "pulled_trials.h"
 
 using namespace glisson;

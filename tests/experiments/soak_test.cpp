@@ -8,10 +8,10 @@
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/script.h"
-#include "glisson/experiments/kill_trial.h"
-#include "glisson/experiments/soak_film.h"
-#include "glisson/experiments/soak_run.h"
 #include "glisson/volume/io.h"
+#include "kill_trial.h"
+#include "soak_film.h"
+#include "soak_run.h"
 
 using namespace glisson;
 using namespace glisson::experiments;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "beam.h"
 #include "block_mesh.h"
 #include "glisson/core/error.h"
-#include "glisson/fem/beam.h"
 
 using namespace glisson;
 using namespace glisson::fem;

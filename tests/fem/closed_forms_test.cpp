@@ -5,12 +5,12 @@
 #include <memory>
 #include <numbers>
 
+#include "beam.h"
 #include "block_mesh.h"
 #include "ellipsoid_mesh.h"
-#include "glisson/fem/beam.h"
 #include "glisson/fem/integrator.h"
-#include "glisson/fem/membrane.h"
-#include "glisson/fem/stiffness.h"
+#include "membrane.h"
+#include "stiffness.h"
 
 using namespace glisson;
 using namespace glisson::fem;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "block_mesh.h"
-#include "glisson/fem/membrane.h"
-#include "glisson/fem/polar.h"
-#include "glisson/fem/tetrahedron.h"
+#include "membrane.h"
+#include "polar.h"
+#include "tetrahedron.h"
 
 using namespace glisson;
 using namespace glisson::fem;

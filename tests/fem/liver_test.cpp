@@ -8,8 +8,8 @@
 #include "block_mesh.h"
 #include "data_folder.h"
 #include "glisson/fem/integrator.h"
-#include "glisson/fem/stiffness.h"
 #include "glisson/geometry/mesh_io.h"
+#include "stiffness.h"
 
 using namespace glisson;
 using namespace glisson::fem;

@@ -3,11 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <QtTest>
 
+#include "beam.h"
 #include "block_mesh.h"
 #include "ellipsoid_mesh.h"
-#include "glisson/fem/beam.h"
 #include "glisson/fem/integrator.h"
-#include "glisson/fem/stiffness.h"
+#include "stiffness.h"
 
 using namespace glisson;
 using namespace glisson::fem;

@@ -13,9 +13,9 @@
 #include "front_tree.h"
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
-#include "glisson/fem/stiffness.h"
 #include "gmres.h"
 #include "multifrontal_factorization.h"
+#include "stiffness.h"
 #include "two_level_solver.h"
 
 using namespace glisson;

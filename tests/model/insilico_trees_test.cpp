@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "anatomy.h"
-#include "glisson/experiments/evaluate_trees.h"
+#include "evaluate_trees.h"
 #include "glisson/insilico/patient.h"
 #include "vessels.h"
 

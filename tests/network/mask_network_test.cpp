@@ -6,7 +6,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/network/live_mask.h"
-#include "glisson/network/mask_network.h"
+#include "mask_network.h"
 #include "network_files.h"
 
 using namespace glisson;

@@ -3,10 +3,10 @@
 // question.
 #include <QtTest>
 
+#include "evidence.h"
+#include "examine.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/error_model.h"
-#include "glisson/registration/evidence.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/operation_prior.h"
 #include "phantom.h"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "evidence.h"
 #include "glisson/core/error.h"
-#include "glisson/registration/evidence.h"
 
 using namespace glisson;
 using namespace glisson::registration;

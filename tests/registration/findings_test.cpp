@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of a registration's error, and what speaks against it.
-#include "glisson/registration/examine.h"
+#include "examine.h"
 
 #include <Eigen/Dense>
 #include <QtTest>

@@ -9,8 +9,8 @@
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
-#include "glisson/registration/shape_fits.h"
 #include "lying_phantom.h"
+#include "shape_fits.h"
 
 using namespace glisson;
 using namespace glisson::registration;

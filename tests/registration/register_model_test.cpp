@@ -86,7 +86,7 @@ class RegisterModelTest : public QObject {
 
  private:
   Registered registered(const RegisterOptions& options, const KnownOperations& known = {}) const {
-    return register_model(model_, cloud_, options, RunContext(), known).value();
+    return register_model(model_, cloud_, options, RunContext(), known).value().registered;
   }
 
   PatientModel model_ = phantom::model(6, 5, 3);
@@ -129,7 +129,7 @@ void RegisterModelTest::AToolIsFoundTogetherWithWhatOperationsDo() {
   const auto registered_by = [&](Method method) {
     RegisterOptions options = brief();
     options.method = method;
-    return register_model(model_, pulled.cloud, options, RunContext()).value();
+    return register_model(model_, pulled.cloud, options, RunContext()).value().registered;
   };
   const Registered both = registered_by(Method::automatic), springs = registered_by(Method::springs);
   qInfo("moved by %.2f mm; springs %.2f, with forces of tools %.2f mm (in silico)", pulled.motion,
@@ -152,11 +152,12 @@ void RegisterModelTest::ManyToolsAreDoubted() {
     stone.points.row(i) += 0.03 * std::sin(p.x()) * std::sin(p.y() + 1.0) * std::sin(p.z() + 2.0) *
                            (stone.points.row(i) - middle).normalized();
   }
-  const Registered made = register_model(model_, stone, brief(), RunContext()).value();
+  const Registered made = register_model(model_, stone, brief(), RunContext()).value().registered;
   const auto is_many = [](const std::string& doubt) { return doubt.starts_with("forces_many "); };
   const auto& doubts = made.registration.doubts;
   QVERIFY(std::any_of(doubts.begin(), doubts.end(), is_many));
-  const Registered pulled = register_model(model_, Pulled(model_).cloud, brief(), RunContext()).value();
+  const Registered pulled =
+      register_model(model_, Pulled(model_).cloud, brief(), RunContext()).value().registered;
   QVERIFY(std::none_of(pulled.registration.doubts.begin(), pulled.registration.doubts.end(), is_many));
 }
 
@@ -178,10 +179,10 @@ void RegisterModelTest::ShapesAreFoundWithoutAVenaCava() {
   QVERIFY(!can_simulate_operations(unknown));
   const Pulled pulled(model_);
   RegisterOptions options = brief();
-  const Registered made = register_model(unknown, pulled.cloud, options, RunContext()).value();
+  const Registered made = register_model(unknown, pulled.cloud, options, RunContext()).value().registered;
   QVERIFY(!made.operations);
   options.operations = false;
-  const Registered alone = register_model(unknown, pulled.cloud, options, RunContext()).value();
+  const Registered alone = register_model(unknown, pulled.cloud, options, RunContext()).value().registered;
   qInfo("unforeseen forces %.2f mm, elasticity alone %.2f mm (in silico)", pulled.off(made),
         pulled.off(alone));
   QVERIFY(pulled.off(made) < 0.9 * pulled.off(alone));
@@ -197,7 +198,7 @@ void RegisterModelTest::AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate() {
   PatientModel unknown = model_;
   unknown.landmarks.vena_cava.resize(0, 3);
   if (!can_simulate_operations(unknown))
-    QVERIFY(!register_model(unknown, cloud_, brief(), RunContext())->operations);
+    QVERIFY(!register_model(unknown, cloud_, brief(), RunContext())->registered.operations);
 }
 
 void RegisterModelTest::AutomaticStartIsTheRigidOne() {
@@ -228,7 +229,7 @@ void RegisterModelTest::NothingIsJudgedByAPlaceThatNobodyHasGiven() {
   const auto examined = [&](RegisterOptions::Start start) {
     options.start = start;
     options.given = {};
-    return *register_and_examine(bare, cloud, options, RunContext());
+    return *register_model(bare, cloud, options, RunContext());
   };
   const auto doubts_turned = [](const ExaminedRegistration& made) {
     const auto& doubts = made.registered.registration.doubts;
@@ -248,7 +249,7 @@ void RegisterModelTest::NothingIsJudgedByAPlaceThatNobodyHasGiven() {
 void RegisterModelTest::WhatIsNoPointOfTheCloudChangesNothing() {
   RegisterOptions options = brief();
   options.operations = false;
-  const auto made = register_and_examine(model_, cloud_, options, RunContext()).value();
+  const auto made = register_model(model_, cloud_, options, RunContext()).value();
   QVERIFY(made.cloud_faults.notes().empty());
   LabelledCloud spoilt = cloud_;  // each point twenty times, and as many zeros
   const Eigen::Index n = cloud_.points.rows();
@@ -262,8 +263,8 @@ void RegisterModelTest::WhatIsNoPointOfTheCloudChangesNothing() {
   if (!cloud_.features.empty())
     for (Eigen::Index i = n; i < 21 * n; ++i)
       spoilt.features.push_back(i < 20 * n ? cloud_.feature(static_cast<int>(i % n)) : Feature::surface);
-  const auto expected = register_and_examine(model_, bare, options, RunContext()).value();
-  const auto found = register_and_examine(model_, spoilt, options, RunContext()).value();
+  const auto expected = register_model(model_, bare, options, RunContext()).value();
+  const auto found = register_model(model_, spoilt, options, RunContext()).value();
   QVERIFY(found.registered.registration.nodes_in_camera == expected.registered.registration.nodes_in_camera);
   QCOMPARE(found.cloud_faults.repeated, static_cast<int>(19 * n));
   QCOMPARE(found.cloud_faults.without_depth, static_cast<int>(n));
@@ -340,7 +341,7 @@ void RegisterModelTest::OneThreadGivesTheBitsOfTwo() {
     if (joined)
       options.looks = {phantom::patch(model, phantom::view(0.3).apply(model.mesh.vertices), {.seed = 2})};
     options.threads = threads;
-    return register_and_examine(model, pulled.cloud, options, RunContext()).value();
+    return register_model(model, pulled.cloud, options, RunContext()).value();
   };
   const ExaminedRegistration one = made_on(1), two = made_on(2);
   const Registration &a = one.registered.registration, &b = two.registered.registration;
@@ -388,7 +389,7 @@ void RegisterModelTest::CancelEndsTheControlBesideTheRest() {
       cancel, 1);
   RegisterOptions options = brief();
   options.start = RegisterOptions::Start::automatic;
-  QVERIFY(!register_and_examine(model_, cloud_, options, context));
+  QVERIFY(!register_model(model_, cloud_, options, context));
   QVERIFY(cancel->requested());
   QVERIFY2(told_after < 20, qPrintable(QString::number(told_after)));  // it did not go on to the end
 }

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "examine.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/error_model.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/operation_prior.h"
 #include "glisson/registration/register_model.h"
@@ -186,7 +186,7 @@ void TissueTest::EveryMethodKnowsOfIt() {
   stiff.tissue = fem::tissue_from("lesion_1=70");
   soft.tissue = fem::tissue_from("lesion_1=0.5");
   const auto nodes = [&](const RegisterOptions& options) {
-    return register_model(model_, cloud, options, RunContext())->registration.nodes_in_camera;
+    return register_model(model_, cloud, options, RunContext())->registered.registration.nodes_in_camera;
   };
   const Points healthy = nodes(plain);
   QVERIFY(nodes(same) == healthy);
@@ -205,9 +205,9 @@ void TissueTest::WhatIsKnownOfOtherTissueIsNotTaken() {
   const KnownOperations known{options.operation,
                               std::make_shared<const OperationPrior>(
                                   simulate_operations(model_, options.operation, RunContext()).value())};
-  QVERIFY(register_model(model_, cloud, options, RunContext(), known)->operations == known.prior);
+  QVERIFY(register_model(model_, cloud, options, RunContext(), known)->registered.operations == known.prior);
   options.tissue = fem::tissue_from("lesions=soft");
-  QVERIFY(register_model(model_, cloud, options, RunContext(), known)->operations != known.prior);
+  QVERIFY(register_model(model_, cloud, options, RunContext(), known)->registered.operations != known.prior);
   QCOMPARE(operation_of(options, model_).lesions.at(structure::kFirstLesion), 3500.0 / 3.0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What findings amount to: nothing, doubts, refusal.
-#include "glisson/registration/verdict.h"
+#include "verdict.h"
 
 #include <QtTest>
 

@@ -2,12 +2,12 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "connections.h"
 #include "data_folder.h"
 #include "glisson/core/files.h"
 #include "glisson/editing/bridges.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
-#include "glisson/segmentation/connections.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/volume/morphology.h"
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "glisson/core/error.h"
-#include "shapes.h"
 
 using namespace glisson;
 using namespace glisson::stereo;
@@ -121,29 +120,6 @@ class DensityTest : public QObject {
     QVERIFY_THROWS_EXCEPTION(PreconditionError, density_map(none, camera(), {}, {}, options));
     const Picture small{2, 2, 1, std::make_shared<std::vector<std::uint8_t>>(4, 255)};
     QVERIFY_THROWS_EXCEPTION(PreconditionError, density_map(none, camera(), small, {}));
-  }
-
-  void ShareOfABallIsItsVisibleCap() {
-    const double radius = 0.05, distance = 0.2;
-    TriangleMesh ball = test::sphere(radius, 4);
-    ball.vertices.col(2).array() += distance;
-    // Points where the ball shows itself to the camera, on its own vertices.
-    std::vector<Eigen::RowVector3d> seen;
-    const Eigen::RowVector3d centre(0.0, 0.0, distance);
-    for (Eigen::Index v = 0; v < ball.vertices.rows(); ++v)
-      if ((ball.vertices.row(v) - centre).dot(ball.vertices.row(v)) < 0.0)
-        seen.push_back(ball.vertices.row(v));
-    LabelledCloud cloud;
-    cloud.points.resize(static_cast<Eigen::Index>(seen.size()), 3);
-    for (std::size_t i = 0; i < seen.size(); ++i) cloud.points.row(static_cast<Eigen::Index>(i)) = seen[i];
-    const double cap = 0.5 * (1.0 - radius / distance);  // Archimedes: by height
-    const double share = surface_share_seen(ball, cloud);
-    QVERIFY2(std::abs(share - cap) < 0.02, QByteArray::number(share).constData());
-    cloud.points.conservativeResize(1, 3);
-    QVERIFY(surface_share_seen(ball, cloud) < 0.02);
-    cloud.points.resize(0, 3);
-    QCOMPARE(surface_share_seen(ball, cloud), 0.0);
-    QVERIFY_THROWS_EXCEPTION(PreconditionError, surface_share_seen(TriangleMesh(), cloud));
   }
 };
 

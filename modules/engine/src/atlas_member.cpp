@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/engine/atlas_member.h"
+#include "atlas_member.h"
 
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/landmarks.h"

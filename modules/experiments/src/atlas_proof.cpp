@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/atlas_proof.h"
+#include "atlas_proof.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -41,14 +41,15 @@
 #include "glisson/engine/register_options.h"
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
-#include "glisson/experiments/outline_distance.h"
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/guidance/each_frame.h"
 #include "glisson/insilico/film.h"
+#include "glisson/registration/examined_registration.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/stereo/picture_io.h"
+#include "outline_distance.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;
@@ -211,17 +212,18 @@ class DemoRun {
     options.method = registration::Method::forces;
     const registration::KnownOperations known = engine::known_operations(state(), context_.seed());
     const Stopwatch watch;
-    const auto made = registration::register_model(engine::effective_model(state()), *state()[part::cloud],
-                                                   options, context_.quiet(), known);
-    if (!made) throw Cancelled{};
+    const auto examined = registration::register_model(
+        engine::effective_model(state()), *state()[part::cloud], options, context_.quiet(), known);
+    if (!examined) throw Cancelled{};
+    const registration::Registered& made = examined->registered;
     result_.figures[prefix + "forces_seconds"] = watch.seconds();
     for (const auto& [key, value] :
-         target_errors(model(), made->registration.nodes_in_camera, truth_, "theatre"))
+         target_errors(model(), made.registration.nodes_in_camera, truth_, "theatre"))
       result_.figures[prefix + "forces_" + key] = value;
-    result_.figures[prefix + "forces_expected_error_mean_mm"] = 1e3 * made->forces->expected_error.mean();
-    result_.figures[prefix + "forces_residual_mm"] = 1e3 * made->registration.residual;
-    result_.figures[prefix + "forces_active"] = static_cast<double>(made->forces->forces.size());
-    const registration::LawFit& law = made->forces->laws[static_cast<std::size_t>(made->forces->chosen)];
+    result_.figures[prefix + "forces_expected_error_mean_mm"] = 1e3 * made.forces->expected_error.mean();
+    result_.figures[prefix + "forces_residual_mm"] = 1e3 * made.registration.residual;
+    result_.figures[prefix + "forces_active"] = static_cast<double>(made.forces->forces.size());
+    const registration::LawFit& law = made.forces->laws[static_cast<std::size_t>(made.forces->chosen)];
     result_.figures[prefix + "forces_sigma_mm"] = 1e3 * law.sigma;
     result_.figures[prefix + "forces_ground"] = law.ground;
     result_.figures[prefix + "forces_poisson_ratio"] = law.material.poisson_ratio;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/evaluate_trees.h"
+#include "evaluate_trees.h"
 
 #include <algorithm>
 #include <cmath>

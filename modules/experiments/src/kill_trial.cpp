@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/kill_trial.h"
+#include "kill_trial.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/live_proof.h"
+#include "live_proof.h"
 
 // lupdate looks for this word and collects the texts; here it leaves them as they are.
 #define QT_TRANSLATE_NOOP(context, text) text

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/live_proof.h"
+#include "live_proof.h"
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "glisson/experiments/live_proof.h"
 #include "glisson/guidance/lesion_judge.h"
 #include "live_faults.h"
+#include "live_proof.h"
 #include "live_roc.h"
 #include "live_run.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/outline_distance.h"
+#include "outline_distance.h"
 
 #include <algorithm>
 #include <cmath>

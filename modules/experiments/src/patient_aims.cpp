@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/patient_proof.h"
+#include "patient_proof.h"
 
 #include "marked_text.h"
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/patient_proof.h"
+#include "patient_proof.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
+#include "evaluate_trees.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/edit_labels.h"
@@ -16,7 +17,6 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/script.h"
-#include "glisson/experiments/evaluate_trees.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/segmentation/evaluate.h"

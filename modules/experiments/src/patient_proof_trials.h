@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glisson/experiments/patient_proof.h"
+#include "patient_proof.h"
 
 namespace glisson::experiments {
 

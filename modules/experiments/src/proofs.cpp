@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "glisson/experiments/atlas_proof.h"
-#include "glisson/experiments/live_proof.h"
-#include "glisson/experiments/patient_proof.h"
-#include "glisson/experiments/pulled_proof.h"
-#include "glisson/experiments/registration_proof.h"
-#include "glisson/experiments/stereo_proof.h"
+#include "atlas_proof.h"
+#include "live_proof.h"
+#include "patient_proof.h"
+#include "pulled_proof.h"
+#include "registration_proof.h"
+#include "stereo_proof.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/pulled_proof.h"
 #include "marked_text.h"
+#include "pulled_proof.h"
 
 namespace glisson::experiments {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/pulled_proof.h"
+#include "pulled_proof.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -168,7 +168,7 @@ Cancellable<registration::ExaminedRegistration> registered(const PatientModel& m
   options.landmarks_are_placed = false;
   options.threads = 1;  // trials run beside each other
   if (!held.empty()) options.start = registration::RegisterOptions::Start::none;
-  return register_and_examine(model, cloud, options, context);
+  return register_model(model, cloud, options, context);
 }
 
 }  // namespace

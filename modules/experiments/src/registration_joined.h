@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "glisson/experiments/registration_proof.h"
+#include "registration_proof.h"
 #include "registration_stage.h"
 
 /// @file

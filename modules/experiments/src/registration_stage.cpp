@@ -162,7 +162,7 @@ Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const st
 
 Cancellable<registration::ExaminedRegistration> StageRegistrar::run(
     const LabelledCloud& cloud, const registration::RegisterOptions& options) {
-  auto examined = register_and_examine(stage_.model, cloud, options, context_, known_);
+  auto examined = register_model(stage_.model, cloud, options, context_, known_);
   if (examined && examined->registered.operations)
     known_ = {options.operation, examined->registered.operations};
   return examined;

@@ -29,7 +29,7 @@ class StageRegistrar {
  public:
   StageRegistrar(const RegistrationStage& stage, const RunContext& context)
       : stage_(stage), context_(context) {}
-  /// @throws as register_and_examine.
+  /// @throws as register_model.
   Cancellable<registration::ExaminedRegistration> run(const LabelledCloud& cloud,
                                                       const registration::RegisterOptions& options = {});
 

@@ -129,11 +129,11 @@ class Trials {
     paper.method = registration::Method::paper;
     const auto made = register_model(stage_.model, cloud, paper, context_);
     if (!made) return false;
-    trial.paper_mean =
-        (made->registration.nodes_in_camera - stage_.by(handling).carry(stage_.model.mesh.vertices))
-            .rowwise()
-            .norm()
-            .mean();
+    trial.paper_mean = (made->registered.registration.nodes_in_camera -
+                        stage_.by(handling).carry(stage_.model.mesh.vertices))
+                           .rowwise()
+                           .norm()
+                           .mean();
     return true;
   }
 

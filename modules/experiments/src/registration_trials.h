@@ -4,7 +4,7 @@
 #include <limits>
 #include <mutex>
 
-#include "glisson/experiments/registration_proof.h"
+#include "registration_proof.h"
 #include "registration_stage.h"
 
 namespace glisson::experiments {

@@ -17,9 +17,9 @@
 #include "glisson/engine/parts/video.h"
 #include "glisson/engine/script.h"
 #include "glisson/experiments/demo.h"
-#include "glisson/experiments/kill_trial.h"
-#include "glisson/experiments/soak_film.h"
-#include "glisson/experiments/soak_run.h"
+#include "kill_trial.h"
+#include "soak_film.h"
+#include "soak_run.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/soak_film.h"
+#include "soak_film.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/soak_run.h"
+#include "soak_run.h"
 
 #include <algorithm>
 #include <cstdio>

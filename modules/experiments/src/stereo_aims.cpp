@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/experiments/stereo_proof.h"
+#include "stereo_proof.h"
 
 #include "marked_text.h"
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "glisson/experiments/stereo_proof.h"
 #include "glisson/patient/picture.h"
+#include "stereo_proof.h"
 
 namespace glisson::experiments {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "glisson/fem/polar.h"
+#include "polar.h"
 
 #define GLISSON_INLINE inline __attribute__((always_inline))
 

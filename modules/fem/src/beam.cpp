@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/fem/beam.h"
+#include "beam.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "cofactor.h"
 #include "glisson/core/error.h"
-#include "glisson/fem/polar.h"
+#include "polar.h"
 
 namespace glisson::fem {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "glisson/fem/composite_model.h"
-#include "glisson/fem/membrane.h"
-#include "glisson/fem/tetrahedron.h"
+#include "membrane.h"
+#include "tetrahedron.h"
 #include "vessel_beams.h"
 
 namespace glisson::fem {

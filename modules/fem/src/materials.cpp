@@ -1,32 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/fem/materials.h"
 
+#include <algorithm>
+#include <array>
+
 #include "glisson/core/error.h"
 
 namespace glisson::fem {
+namespace {
+
+struct Preset {
+  std::string_view name;
+  double young_modulus;  ///< of the parenchyma, Pa
+  bool is_homogeneous;
+};
+constexpr std::array<Preset, 4> kPresets = {{{"healthy", 3.5e3, false},
+                                             {"healthy_homogeneous", 3.5e3, true},
+                                             {"cirrhotic", 30e3, false},
+                                             {"cirrhotic_homogeneous", 30e3, true}}};
+
+}  // namespace
 
 std::vector<std::string> composite_preset_names() {
-  return {"healthy", "healthy_homogeneous", "cirrhotic", "cirrhotic_homogeneous"};
+  std::vector<std::string> names;
+  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  return names;
 }
 
 CompositeOptions composite_preset(std::string_view name) {
-  CompositeOptions options;  // healthy
-  std::string known;
-  for (const std::string& candidate : composite_preset_names()) {
-    known += (known.empty() ? "" : ", ") + candidate;
-    if (candidate != name) continue;
-    if (name.starts_with("cirrhotic")) options.parenchyma.young_modulus = 30e3;
-    if (name.ends_with("_homogeneous")) options.with_capsule = options.with_vessels = false;
-    return options;
+  const auto preset =
+      std::find_if(kPresets.begin(), kPresets.end(), [&](const Preset& one) { return one.name == name; });
+  if (preset == kPresets.end()) {
+    std::string known;
+    for (const Preset& one : kPresets) known += (known.empty() ? "" : ", ") + std::string(one.name);
+    throw InputError("material preset", std::string(name), "is not known", "Take one of " + known);
   }
-  throw InputError("material preset", std::string(name), "is not known", "Take one of " + known);
-}
-
-double spring_stiffness(double young_modulus, double area, double length) {
-  if (!(young_modulus > 0.0 && area > 0.0 && length > 0.0))
-    throw InputError("spring", "E, A or L", "is not positive",
-                     "Give Young's modulus in Pa, the section in m2 and the length in m, all above 0");
-  return young_modulus * area / length;
+  CompositeOptions options;
+  options.parenchyma.young_modulus = preset->young_modulus;
+  if (preset->is_homogeneous) options.with_capsule = options.with_vessels = false;
+  return options;
 }
 
 }  // namespace glisson::fem

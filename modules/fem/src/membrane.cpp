@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/fem/membrane.h"
+#include "membrane.h"
 
 #include <Eigen/Dense>
 
-#include "glisson/fem/polar.h"
+#include "polar.h"
 
 namespace glisson::fem {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/fem/polar.h"
+#include "polar.h"
 
 #include <Eigen/Dense>
 #include <cmath>

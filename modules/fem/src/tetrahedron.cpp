@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/fem/tetrahedron.h"
+#include "tetrahedron.h"
 
 #include <Eigen/Dense>
 #include <cmath>
 
 #include "cofactor.h"
-#include "glisson/fem/polar.h"
+#include "polar.h"
 
 namespace glisson::fem {
 namespace {

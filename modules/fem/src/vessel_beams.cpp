@@ -5,7 +5,7 @@
 #include <string>
 
 #include "glisson/core/error.h"
-#include "glisson/fem/polar.h"
+#include "polar.h"
 
 namespace glisson::fem {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "glisson/fem/beam.h"
-#include "glisson/fem/tetrahedron.h"
+#include "beam.h"
+#include "tetrahedron.h"
 
 namespace glisson::fem {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/network/mask_network.h"
+#include "mask_network.h"
 
 namespace glisson::network {
 

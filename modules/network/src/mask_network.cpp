@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/network/mask_network.h"
+#include "mask_network.h"
 
 #include <array>
 #include <opencv2/imgproc.hpp>

@@ -7,7 +7,7 @@
 #include "glisson/fem/integrator.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
-#include "glisson/registration/shape_fits.h"
+#include "shape_fits.h"
 
 namespace glisson::registration {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/evidence.h"
+#include "evidence.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/examine.h"
+#include "examine.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

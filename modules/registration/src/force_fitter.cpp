@@ -8,7 +8,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
-#include "glisson/registration/looks.h"
+#include "looks.h"
 
 namespace glisson::registration {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <functional>
 
+#include "evidence.h"
 #include "force_patches.h"
 #include "force_rows.h"
 #include "glisson/registration/contact_forces.h"
-#include "glisson/registration/evidence.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 

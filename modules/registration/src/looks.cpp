@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/looks.h"
+#include "looks.h"
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "glisson/registration/examine.h"
-#include "glisson/registration/shape_fits.h"
+#include "examine.h"
+#include "shape_fits.h"
 
 namespace glisson::registration {
 namespace {

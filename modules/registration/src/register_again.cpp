@@ -124,7 +124,7 @@ Cancellable<RegisteredAgain> register_again(const PatientModel& model, const Lab
   const Parted parted = part(cloud, tissue);
   options.start = options.fixed_nodes.empty() ? RegisterOptions::Start::near : RegisterOptions::Start::given;
   options.given = former.camera_from_ct;
-  auto examined = register_and_examine(model, parted.fitted, options, context, known);
+  auto examined = register_model(model, parted.fitted, options, context, known);
   if (!examined) return {};
   RegisteredAgain again{std::move(*examined)};
   const Registration& now = again.examined.registered.registration;

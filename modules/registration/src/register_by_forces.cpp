@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "glisson/geometry/mesh.h"
-#include "glisson/registration/looks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register_model.h"
+#include "looks.h"
 
 namespace glisson::registration {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "glisson/registration/contact_forces.h"
 #include "glisson/registration/register.h"
-#include "glisson/registration/shape_fits.h"
+#include "shape_fits.h"
 
 namespace glisson::registration {
 

@@ -8,19 +8,19 @@
 #include <utility>
 #include <vector>
 
+#include "examine.h"
 #include "glisson/core/error.h"
-#include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/forks.h"
-#include "glisson/registration/looks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
-#include "glisson/registration/verdict.h"
+#include "looks.h"
 #include "mirror_control.h"
 #include "register_by_forces.h"
+#include "verdict.h"
 
 namespace glisson::registration {
 namespace {
@@ -406,20 +406,11 @@ class Run {
 
 }  // namespace
 
-Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model, const LabelledCloud& cloud,
-                                                       const RegisterOptions& options,
-                                                       const RunContext& context,
-                                                       const KnownOperations& known) {
+Cancellable<ExaminedRegistration> register_model(const PatientModel& model, const LabelledCloud& cloud,
+                                                 const RegisterOptions& options, const RunContext& context,
+                                                 const KnownOperations& known) {
   options.validate();
   return Run(model, cloud, options, known, context).run();
-}
-
-Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
-                                       const RegisterOptions& options, const RunContext& context,
-                                       const KnownOperations& known) {
-  auto examined = register_and_examine(model, cloud, options, context, known);
-  if (!examined) return {};
-  return std::move(examined->registered);
 }
 
 }  // namespace glisson::registration

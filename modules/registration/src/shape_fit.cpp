@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/shape_fits.h"
+#include "shape_fits.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -10,9 +10,9 @@
 #include "force_rows.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
-#include "glisson/registration/looks.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/rivals.h"
+#include "looks.h"
 
 namespace glisson::registration {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/verdict.h"
+#include "verdict.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/segmentation/connections.h"
+#include "connections.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/segmentation/evaluate.h"
 
+#include "connections.h"
 #include "glisson/core/error.h"
-#include "glisson/segmentation/connections.h"
 #include "glisson/segmentation/segment.h"
 
 namespace glisson::segmentation {

@@ -125,22 +125,4 @@ Picture density_picture(const DensityMap& map, const Picture& left) {
   return to_picture(image);
 }
 
-double surface_share_seen(const TriangleMesh& organ, const LabelledCloud& cloud, double reach) {
-  require(organ.triangle_count() > 0, "an organ has a surface");
-  require(reach > 0.0, "reach is positive");
-  double seen = 0.0, all = 0.0;
-  for (Eigen::Index t = 0; t < organ.triangles.rows(); ++t) {
-    const Eigen::Vector3d a = organ.vertices.row(organ.triangles(t, 0)).transpose();
-    const Eigen::Vector3d b = organ.vertices.row(organ.triangles(t, 1)).transpose();
-    const Eigen::Vector3d c = organ.vertices.row(organ.triangles(t, 2)).transpose();
-    const Eigen::Vector3d cross = (b - a).cross(c - a), middle = (a + b + c) / 3.0;
-    const double area = 0.5 * cross.norm();
-    all += area;
-    if (cross.dot(middle) >= 0.0 || cloud.points.rows() == 0) continue;  // it looks away
-    const double squared = (cloud.points.rowwise() - middle.transpose()).rowwise().squaredNorm().minCoeff();
-    if (squared <= reach * reach) seen += area;
-  }
-  return all > 0.0 ? seen / all : 0.0;
-}
-
 }  // namespace glisson::stereo

@@ -7,7 +7,7 @@
 
 #include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
-#include "glisson/volume/limits.h"
+#include "most_values.h"
 #include "raw_volume.h"
 
 namespace glisson::reader {

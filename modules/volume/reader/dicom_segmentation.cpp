@@ -14,7 +14,7 @@
 #include "dicom_pixels.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "glisson/volume/limits.h"
+#include "most_values.h"
 #include "segment_codes.h"
 
 namespace glisson::reader {

@@ -13,9 +13,9 @@
 #include "glisson/core/json_file.h"
 #include "glisson/volume/dicom_segmentation.h"
 #include "glisson/volume/io.h"
-#include "glisson/volume/limits.h"
 #include "glisson/volume/reader_program.h"
 #include "glisson/volume/series.h"
+#include "most_values.h"
 #include "slicer_segments.h"
 
 namespace glisson {

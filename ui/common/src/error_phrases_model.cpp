@@ -147,8 +147,6 @@ const std::vector<const char*>& model_remedies() {
           "Take supine, prone, left_flank, right_flank, standing, none or three numbers in m/s2"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Correct it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Take one of %1"),
-      QT_TRANSLATE_NOOP("ErrorPhrases",
-                        "Give Young's modulus in Pa, the section in m2 and the length in m, all above 0"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Fix nodes or attach springs to it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give 1 to 1000000"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give 1e-8 or so"),

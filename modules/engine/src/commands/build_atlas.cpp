@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "atlas_member.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "glisson/engine/atlas_member.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/review.h"
 

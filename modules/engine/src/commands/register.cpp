@@ -54,7 +54,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const registration::KnownOperations known = known_operations(state, context.seed());
   const registration::RegisterOptions options = options_with_looks(state, *this);
   const PatientModel model = effective_model(state);
-  auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
+  auto examined = registration::register_model(model, *state[part::cloud], options, context, known);
   if (!examined) return {};
   registration::Registered& made = examined->registered;
   Applied applied{state, figures_of(*examined), notes_of(state, model, options, *examined)};

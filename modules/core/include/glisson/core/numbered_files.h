@@ -15,6 +15,7 @@ class NumberedFiles {
   /// Empty: the pattern holds no number (%d, %4d, %04d).
   static std::optional<NumberedFiles> of(const std::string& pattern);
 
+  /// The name with this number, whether it is there or not.
   std::filesystem::path at(int number) const;
   /// Of a number in the names, at least.
   int digits() const { return digits_; }

@@ -16,11 +16,4 @@ std::vector<std::string> composite_preset_names();
 /// @throws InputError for an unknown name, listing those there are.
 CompositeOptions composite_preset(std::string_view name);
 
-/// Vena cava, ligaments (paper's reference 44): 20 MPa.
-inline constexpr double kBoundaryStructureModulus = 20e6;
-
-/// A structure that pulls along its length, as a spring: k = E A / L, N/m.
-/// @param area m2; @param length m. @throws InputError unless all are positive.
-double spring_stiffness(double young_modulus, double area, double length);
-
 }  // namespace glisson::fem

@@ -46,6 +46,7 @@ struct ReceivedTool {
   double age = 0.0;                                ///< seconds since it came
 };
 
+/// How a client stands with its server.
 enum class Connection {
   waiting,    ///< the server has not answered yet
   connected,  ///< it has
@@ -71,6 +72,7 @@ class Receiver {
   /// The last pose; empty: none has come.
   std::optional<ReceivedTool> tool() const;
 
+  /// Now; `ended` and `failed` are for good.
   Connection connection() const;
   /// A sentence with its remedy; empty: none.
   std::string problem() const;

@@ -72,6 +72,7 @@ class Sender {
   /// What was told holds no longer, as when tracking ends. @pre the reason's level is `withdrawn`.
   void withdraw(Validity reason);
 
+  /// As it is now; from any thread.
   SenderState state() const;
 
  private:

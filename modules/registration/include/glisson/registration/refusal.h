@@ -10,9 +10,11 @@
 
 namespace glisson::registration {
 
+/// The doubts' codes.
 inline constexpr const char* kRefused = "refused";
 inline constexpr const char* kRefusalAccepted = "refusal_accepted";  ///< somebody wants it nevertheless
 
+/// @param code the whole of it, with its values if it has any.
 inline bool has_doubt(const Registration& registration, const char* code) {
   return std::find(registration.doubts.begin(), registration.doubts.end(), code) != registration.doubts.end();
 }

@@ -26,7 +26,7 @@ struct RegisteredAgain {
 /// @param cloud of the first registration; empty: there is none.
 /// @param tissue all looks joined in the moment and frame of that cloud: left camera, metres.
 /// @param options as for register_model; their start is not used.
-/// @throws InputError fewer than 30 places of tissue, `former` is not of this model; as register_and_examine.
+/// @throws InputError fewer than 30 places of tissue, `former` is not of this model; as register_model.
 Cancellable<RegisteredAgain> register_again(const PatientModel& model, const LabelledCloud& cloud,
                                             const PointsIn<CameraFrame>& tissue, const Registration& former,
                                             RegisterOptions options, const RunContext& context,

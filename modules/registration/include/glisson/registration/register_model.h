@@ -109,10 +109,14 @@ struct Registered {
   DistanceSummary displacement;        ///< of the nodes, from where the rigid part alone puts them, metres
 };
 
-/// The first half of the door (register_and_examine in examined_registration.h is all of it): brings a model
-/// to what the camera sees. Rigid start, the shapes that operations make probable, the most
-/// probable of them from each start that fits, elastic. Where operations cannot be simulated on the model,
-/// elasticity alone decides. The same seed gives the same bits. Doubts of the forces: little_surface_seen,
+struct ExaminedRegistration;  // examined_registration.h
+
+/// The one door by which a model is registered: brings it to what the camera sees and asks how wrong that is.
+/// Rigid start, the shapes that operations make probable, the most probable of them from each start that
+/// fits, elastic. Where operations cannot be simulated on the model, elasticity alone decides. Where a prior
+/// is known and the start is sought, the cloud's mirror image is registered, too. What is no point of the
+/// cloud is left out (sound_cloud(); zeros unless the cloud is in the model's frame). The same seed gives the
+/// same bits. Doubts of the forces: little_surface_seen,
 /// many_outliers, residual_large, inverted_elements (with operations of the shape itself; without, not under
 /// the linear law, which knows of none),
 /// law_ambiguous (another law puts the nodes 5 mm away on average and is nearly as probable),
@@ -120,8 +124,8 @@ struct Registered {
 /// @param known taken where its options are those of `options`; operations are not simulated again.
 /// @throws InputError as align_rigid, simulate_operations, register_elastic; fewer than 10 points of the
 ///   surface. NumericalError as simulate_operations.
-Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
-                                       const RegisterOptions& options, const RunContext& context,
-                                       const KnownOperations& known = {});
+Cancellable<ExaminedRegistration> register_model(const PatientModel& model, const LabelledCloud& cloud,
+                                                 const RegisterOptions& options, const RunContext& context,
+                                                 const KnownOperations& known = {});
 
 }  // namespace glisson::registration

@@ -29,6 +29,7 @@ struct DensityMap {
   double area_cm2 = 0.0;  ///< of the surface that is wanted, at the depth and slant of the closest points
   double covered = 0.0;   ///< share of that area with `least_per_cm2` and more
 
+  /// Of a cell. @pre within columns and rows.
   float at(int column, int row) const {
     return per_cm2[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                    static_cast<std::size_t>(column)];
@@ -44,11 +45,5 @@ DensityMap density_map(const LabelledCloud& cloud, const Camera& left, const Pic
 /// The left picture with its cells: blue where there are enough points, orange where they are missing
 /// (darker: none at all). Three channels.
 Picture density_picture(const DensityMap& map, const Picture& left);
-
-/// Share of the organ's surface (by area) that the cloud shows: triangles that face the camera with a point
-/// within `reach` of their middle. @param reach metres; the default is the radius of the disk that holds one
-/// point at the paper's density. @pre triangles no larger than `reach`, for a share that is exact.
-double surface_share_seen(const TriangleMesh& organ_in_camera, const LabelledCloud& cloud,
-                          double reach = 6.7e-3);
 
 }  // namespace glisson::stereo

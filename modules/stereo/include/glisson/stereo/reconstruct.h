@@ -12,6 +12,7 @@
 
 namespace glisson::stereo {
 
+/// How points are found in a pair.
 enum class Method {
   sparse,    ///< the paper's: features, matched
   dense,     ///< semi-global matching, sampled: covers what lies between features

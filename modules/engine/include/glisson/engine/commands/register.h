@@ -6,7 +6,7 @@
 
 namespace glisson::engine {
 
-/// Brings the model to the cloud (see registration::register_and_examine). Whether
+/// Brings the model to the cloud (see registration::register_model). Whether
 /// landmarks are placed the case says, and how stiff the tissue is where the command says nothing of it.
 struct Register : registration::RegisterOptions {
   CommandTraits traits() const;

@@ -9,8 +9,9 @@
 namespace glisson::engine {
 
 namespace part {
+/// The segmentation.
 extern const PartOf<LabelMap> labels;
-// With the labels come their steps, and their figures on the image.
+/// With the labels come their steps, and their figures on the image.
 extern const PartOf<editing::History> history;
 extern const PartOf<segmentation::LabelStatistics> statistics;
 }  // namespace part

@@ -5,7 +5,7 @@
 #include "glisson/registration/error_model.h"
 #include "glisson/registration/findings.h"
 #include "glisson/registration/pairs.h"
-#include "glisson/registration/shape_fits.h"
+#include "shape_fits.h"
 
 namespace glisson::registration {
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "glisson/fem/composite_model.h"
-#include "glisson/fem/tetrahedron.h"
+#include "tetrahedron.h"
 
 namespace glisson::fem {
 

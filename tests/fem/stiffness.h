@@ -4,7 +4,7 @@
 #include <Eigen/SparseCore>
 
 #include "glisson/fem/composite_model.h"
-#include "glisson/fem/tetrahedron.h"
+#include "tetrahedron.h"
 
 namespace glisson::fem {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/fem/stiffness.h"
+#include "stiffness.h"
 
 #include "block_matrix.h"
 #include "external_loads.h"
