@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "evaluate_trees.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "glisson/experiments/evaluate_trees.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/insilico/film.h"
