@@ -25,8 +25,11 @@ LabelOutput::LabelOutput(const Arguments& arguments) : arguments_(arguments) {
 }
 
 void LabelOutput::finish(Session& session) const {
-  const LabelMap& labels = *session.state()[part::labels];
+  save_case(arguments_, session);
+  if (arguments_.has("labels-out")) engine::write_case_labels(arguments_.path("labels-out"), session.state());
+  // After the work is safe: a truth that cannot be compared does not take it along.
   if (arguments_.has("truth")) {
+    const LabelMap& labels = *session.state()[part::labels];
     const std::filesystem::path path = arguments_.path("truth");
     const LabelFile file = read_labels(path);
     require_same_grid(file.voxels.grid(), labels.voxels.grid(), path.string());
@@ -34,8 +37,6 @@ void LabelOutput::finish(Session& session) const {
         labels, truth_codes_.empty() ? LabelMap{file.voxels, file.infos}
                                      : recode(file, truth_codes_, path.string())));
   }
-  save_case(arguments_, session);
-  if (arguments_.has("labels-out")) engine::write_case_labels(arguments_.path("labels-out"), session.state());
   session.finish();
 }
 

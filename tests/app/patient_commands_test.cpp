@@ -292,6 +292,14 @@ void PatientCommandsTest::EditsAreStepsOfTheCaseAndCanBeUndone() {
   ran = run({"edit", "--case", "a.glisson", "--redo", "1", "--truth", "labels.nii.gz", "--json", "f.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error));
   QCOMPARE(figures("f.json")["dice_liver"].toDouble(), 1.0);
+  // A truth that lies on other voxels is told, and does not take the work along.
+  VolumeGrid other = read_labels(at("labels.nii.gz")).voxels.grid();
+  other.spacing_mm *= 1.5;
+  write_labels(at("other.nrrd"), LabelVolume(other), {});
+  ran = run({"edit", "--case", "a.glisson", "--undo", "1", "--truth", "other.nrrd"});
+  QVERIFY2(ran.code == 1 && ran.error.contains("other.nrrd"), qPrintable(ran.error));
+  ran = run({"edit", "--case", "a.glisson", "--redo", "1"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
   QVERIFY(run({"edit", "--case", "a.glisson", "--undo", "9"}).error.contains("no step to undo"));
 }
 
