@@ -41,14 +41,21 @@ Mask where(const Field& field, float low, float high) {
   return mask;
 }
 
+void each_room() {
+  QTest::addColumn<double>("room_mm");
+  for (const double room : {0.0, 20.0, 60.0}) QTest::addRow("%.0f mm of room", room) << room;
+}
+
 }  // namespace
 
 class RegionCutTest : public QObject {
   Q_OBJECT
  private slots:
   void NoRegionIsWorthMore();
+  void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot_data() { each_room(); }
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot();
   void ANotLiverClickKeepsTheTumourOut();
+  void WhatWasPartedFromTheLiverStaysOut_data() { each_room(); }
   void WhatWasPartedFromTheLiverStaysOut();
   void CancelledWorkGivesNothing();
 };
@@ -74,59 +81,74 @@ void RegionCutTest::NoRegionIsWorthMore() {
   }
 }
 
-/// A block of liver in fat, with a bite of a tumour in its upper face, and an organ that leans on its side
-/// with a small part of its own border.
-static Field bitten() {
-  Field ct = field_of({60, 50, 50}, 2.0);
-  fill(ct, [](const Eigen::Vector3d& p) {
-    if ((p - Eigen::Vector3d(45, 70, 45)).norm() < 18.0) return 60.0;
-    if ((p - Eigen::Vector3d(101, 40, 45)).norm() < 16.0) return 60.0;
-    const bool liver = p.x() > 8 && p.x() < 87 && p.y() > 8 && p.y() < 74 && p.z() > 8 && p.z() < 84;
-    return liver ? 108.0 : -95.0;
-  });
-  smooth(ct, 1.5);
-  return ct;
-}
+/// A block of liver in fat, with a bite of a tumour in its upper face that bulges by 14 mm, and an organ that
+/// leans on its side with a small part of its own border.
+struct Bitten {
+  Field ct;
+  Eigen::Vector3i room;
+
+  /// @param room_mm between the block's surroundings and the volume's edge: it must not matter.
+  explicit Bitten(double room_mm) : room(Eigen::Vector3i::Constant(static_cast<int>(room_mm / kVoxel))) {
+    ct = field_of(Eigen::Vector3i(60, 50, 50) + 2 * room, kVoxel);
+    fill(ct, [&](const Eigen::Vector3d& at) {
+      const Eigen::Vector3d p = at - kVoxel * room.cast<double>();
+      if ((p - kTumour).norm() < 18.0) return 60.0;
+      if ((p - Eigen::Vector3d(101, 40, 45)).norm() < 16.0) return 60.0;
+      const bool liver = p.x() > 8 && p.x() < 87 && p.y() > 8 && p.y() < 74 && p.z() > 8 && p.z() < 84;
+      return liver ? 108.0 : -95.0;
+    });
+    smooth(ct, 1.5);
+  }
+  Eigen::Vector3i voxel(int i, int j, int k) const { return Eigen::Vector3i(i, j, k) + room; }
+  std::size_t at(int i, int j, int k) const { return ct.offset(voxel(i, j, k)); }
+  Mask found() const { return where(ct, 90.0F, 130.0F); }
+
+  static constexpr double kVoxel = 2.0;
+  static inline const Eigen::Vector3d kTumour{45, 70, 45};
+};
 
 void RegionCutTest::ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot() {
-  const Field ct = bitten();
-  const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
-  const Mask whole =
-      with_enclosed(ct, found, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, RunContext())
-          .value();
-  QCOMPARE(int(whole.voxels[ct.offset(22, 35, 22)]), 1);
-  QCOMPARE(int(whole.voxels[ct.offset(22, 41, 22)]), 1);
-  QCOMPARE(int(whole.voxels[ct.offset(50, 20, 22)]), 0);
+  QFETCH(double, room_mm);
+  const Bitten bitten(room_mm);
+  const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
+  const Mask whole = with_enclosed(bitten.ct, found, found, found, nothing, nothing, nothing,
+                                   {{bitten.voxel(20, 20, 20)}, {}}, RunContext())
+                         .value();
+  QCOMPARE(int(whole.voxels[bitten.at(22, 35, 22)]), 1);
+  QCOMPARE(int(whole.voxels[bitten.at(22, 41, 22)]), 1);
+  QCOMPARE(int(whole.voxels[bitten.at(50, 20, 22)]), 0);
 }
 
 void RegionCutTest::ANotLiverClickKeepsTheTumourOut() {
-  const Field ct = bitten();
-  const Mask found = where(ct, 90.0F, 130.0F);
-  Mask barred = ct.empty_mask();
+  const Bitten bitten(20.0);
+  const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
+  Mask barred = nothing;
   for (int k = 20; k < 25; ++k)
     for (int j = 33; j < 38; ++j)
-      for (int i = 20; i < 25; ++i) barred.voxels[ct.offset(i, j, k)] = 1;
-  const Mask whole = with_enclosed(ct, found, found, found, barred, ct.empty_mask(), ct.empty_mask(),
-                                   {{{20, 20, 20}}, {{22, 35, 22}}}, RunContext())
+      for (int i = 20; i < 25; ++i) barred.voxels[bitten.at(i, j, k)] = 1;
+  const Mask whole = with_enclosed(bitten.ct, found, found, found, barred, nothing, nothing,
+                                   {{bitten.voxel(20, 20, 20)}, {bitten.voxel(22, 35, 22)}}, RunContext())
                          .value();
-  QCOMPARE(int(whole.voxels[ct.offset(22, 35, 22)]), 0);
+  QCOMPARE(int(whole.voxels[bitten.at(22, 35, 22)]), 0);
 }
 
 void RegionCutTest::WhatWasPartedFromTheLiverStaysOut() {
+  QFETCH(double, room_mm);
   // A neighbour as bright as the liver lies in the bite, behind a seam.
-  Field ct = bitten();
-  const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
+  Bitten bitten(room_mm);
+  Field& ct = bitten.ct;
+  const Mask found = bitten.found(), nothing = ct.empty_mask();
   Mask like = found;
-  for (int k = 0; k < ct.size.z(); ++k)
-    for (int j = 0; j < ct.size.y(); ++j)
-      for (int i = 0; i < ct.size.x(); ++i)
-        if ((Eigen::Vector3d(i, j, k) * 2.0 - Eigen::Vector3d(45, 70, 45)).norm() < 15.0)
-          ct.values[ct.offset(i, j, k)] = 108.0F, like.voxels[ct.offset(i, j, k)] = 1;
+  for (int k = 0; k < 50; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 60; ++i)
+        if ((Eigen::Vector3d(i, j, k) * Bitten::kVoxel - Bitten::kTumour).norm() < 15.0)
+          ct.values[bitten.at(i, j, k)] = 108.0F, like.voxels[bitten.at(i, j, k)] = 1;
   const auto in_bite = [&](const Mask& own) {
-    const LiverSeeds seeds{{{20, 20, 20}}, {}};
+    const LiverSeeds seeds{{bitten.voxel(20, 20, 20)}, {}};
     const Mask whole =
         with_enclosed(ct, found, like, own, nothing, nothing, nothing, seeds, RunContext()).value();
-    return int(whole.voxels[ct.offset(22, 35, 22)]);
+    return int(whole.voxels[bitten.at(22, 35, 22)]);
   };
   QCOMPARE(in_bite(like), 1);
   QCOMPARE(in_bite(found), 0);
@@ -136,8 +158,9 @@ void RegionCutTest::CancelledWorkGivesNothing() {
   const auto cancel = std::make_shared<CancelFlag>();
   cancel->request();
   const RunContext context({}, cancel, 1);
-  const Field ct = bitten();
-  const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
+  const Bitten bitten(0.0);
+  const Field& ct = bitten.ct;
+  const Mask found = bitten.found(), nothing = ct.empty_mask();
   QVERIFY(!with_enclosed(ct, found, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, context));
 }
 

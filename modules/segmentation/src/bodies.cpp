@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bites.h"
 #include "enclosed.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
@@ -22,8 +23,7 @@ constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
 constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may lie at its end
 constexpr double kFineBlur = 0.8;      // mm: fine voxels carry more noise than the diffusion tells from edges
 constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
-constexpr double kBite = 50.0;  // mm: a tumour at the rim that the liver's contour leaves out is smaller
-constexpr double kMostVoxels = 50e6;  // of the fine contour: about 3 GB
+constexpr double kMostVoxels = 50e6;                    // of the fine contour: about 3 GB
 /// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
 constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;
 
@@ -143,14 +143,6 @@ LesionScene lesion_scene(const Image& image, const Points& clicks, double diamet
   return scene;
 }
 
-/// The liver with its bites closed.
-Mask hull_of(const Mask& liver) {
-  const VoxelBox box = bounding_box(liver.size, liver.spacing_mm, liver.voxels, 2.0);
-  Mask hull = liver;
-  paste(closed(crop(liver.size, liver.spacing_mm, liver.voxels, box), kBite), box, liver.size, hull.voxels);
-  return hull;
-}
-
 std::vector<LesionClick> clicks_of(const Image& image, const LesionScene& scene, const Seeds& seeds,
                                    std::size_t lesion) {
   std::vector<LesionClick> clicks;
@@ -224,7 +216,7 @@ Cancellable<bool> refine(const Image& image, const LiverSeeds& clicks, double sp
 bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const RunContext& context) {
   LesionGround ground = ground_of(bodies);
   ground.organ = bodies.liver_phi;
-  ground.hull = signed_distance(hull_of(bodies.liver), bodies.grid);
+  ground.hull = signed_distance(with_bites(bodies.liver), bodies.grid);
   bodies.lesions.resize(seeds.lesions.size());
   share_out(bodies.lesions.size(), 2, [&](std::size_t n, bool) {
     if (context.cancelled() || seeds.lesions[n].rows() == 0) return;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enclosed.h"
 
+#include "bites.h"
 #include "region_cut.h"
 
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kHollow = 50.0;  // mm: a tumour at the rim is a bite of up to this radius
 constexpr double kDeep = 4.0;     // mm below the border of the liver found so far
 constexpr float kEmpty = -30.0F;  // HU: fat, lung and gas are no part of it
 constexpr float kFluid = 25.0F;   // HU below which a body at the rim may be a gallbladder or ascites
@@ -18,7 +18,7 @@ constexpr float kFound = 0.1F, kUnlike = -0.01F, kUnlikeFluid = -0.1F;
 Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& like, const Mask& own,
                                 const Mask& barred, const Mask& included, const Mask& likely,
                                 const LiverSeeds& seeds, const RunContext& context) {
-  Mask open = closed(found, kHollow);
+  Mask open = with_bites(found);
   if (context.cancelled()) return std::nullopt;
   const Mask deep = eroded(found, kDeep);
   std::vector<float> reward(open.voxels.size(), 0.0F);

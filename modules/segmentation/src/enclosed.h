@@ -8,7 +8,7 @@
 namespace glisson::segmentation {
 
 /// A liver with what belongs to it though it does not look like it: tumours, necroses and cysts, also large
-/// ones at its rim that no click marks. In the hollows of the liver found so far (its closing by 50 mm) soft
+/// ones at its rim that no click marks. In the hollows of the liver found so far (with_bites()) soft
 /// tissue belongs to it where that is the better parting (see best_region()): where a body shares more of its
 /// border with the liver than with what lies beside it, edges counting little. A neighbour that only leans on
 /// the liver stays outside.

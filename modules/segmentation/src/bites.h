@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/volume/morphology.h"
+
+namespace glisson::segmentation {
+
+/// A liver with the places where a tumour at its rim may lie that was taken for something else: its hollows
+/// (closing by 50 mm), and beyond each hollow as far outwards as it is deep, 20 mm at most, since such a
+/// tumour lifts the capsule. Where the volume ends changes nothing but that nothing lies beyond it.
+Mask with_bites(const Mask& liver);
+
+}  // namespace glisson::segmentation
