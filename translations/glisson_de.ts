@@ -12317,7 +12317,7 @@ Mode %3 bei %4 Abweichungen
         <translation>Eingabe oder Doppelklick beendet die Linie; Rücktaste nimmt eine Ecke zurück.</translation>
     </message>
     <message>
-        <source>Click around the %1 in either picture.</source>
+        <source>Click around &quot;%1&quot; in either picture.</source>
         <translation>Klicken Sie in einem der Bilder um „%1“ herum.</translation>
     </message>
     <message>

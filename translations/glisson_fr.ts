@@ -12317,7 +12317,7 @@ Mode %3 à %4 écarts types
         <translation>Entrée ou un double clic termine la ligne ; Retour arrière reprend un sommet.</translation>
     </message>
     <message>
-        <source>Click around the %1 in either picture.</source>
+        <source>Click around &quot;%1&quot; in either picture.</source>
         <translation>Cliquez autour de « %1 » dans l’une des images.</translation>
     </message>
     <message>

@@ -50,9 +50,9 @@ class Notes {
          tr("%1 ml of the hepatic veins lie outside of the liver: perhaps in a part of the vena cava that "
             "its "
             "seeds did not find. Click the vena cava there, too, and segment again.")},
-        {"vena_cava.small", tr("Only %1 ml of the vena cava were found: its seeds may lie in a clot or "
-                               "tumour. Click it elsewhere, "
-                               "too, and segment again.")},
+        {"vena_cava.small",
+         tr("Only %1 ml of the vena cava were found: its seeds may lie in a clot or tumour. Click it "
+            "elsewhere, too, and segment again.")},
         {"gallbladder.large",
          tr("The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. "
             "Check it in the slices.")},

@@ -316,7 +316,7 @@ QString StereoView::hint() const {
   if (under_ == nullptr) {
     if (line != nullptr) return tr("Enter or a double click ends the line; Backspace takes a corner back.");
     if (drawing_.tool())
-      return tr("Click around the %1 in either picture.").arg(feature_name(drawing_.tool()->feature));
+      return tr("Click around \"%1\" in either picture.").arg(feature_name(drawing_.tool()->feature));
     return tr(
         "Choose a feature on the right to label it. The wheel enlarges a picture, the middle button "
         "moves it.");
