@@ -6500,6 +6500,14 @@
         <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
         <translation>%1 reicht so weit, wie ein Klick nach ihrem Rand sucht, und vielleicht weiter: Zeichnen Sie ihren Durchmesser.</translation>
     </message>
+    <message>
+        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
+        <translation>Die Pfortader ist dort, wo sie angeklickt wurde, kaum heller als die Leber: In dieser Phase lässt sie sich nicht von ihr unterscheiden, und das meiste von ihr fehlt. Nehmen Sie die portalvenöse Phase.</translation>
+    </message>
+    <message>
+        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
+        <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

@@ -6500,6 +6500,14 @@
         <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
         <translation>%1 va aussi loin qu&apos;un clic cherche son bord, et peut-être plus loin : dessinez son diamètre.</translation>
     </message>
+    <message>
+        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
+        <translation>La veine porte est à peine plus claire que le foie là où elle a été cliquée : à cette phase, on ne peut l’en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
+    </message>
+    <message>
+        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
+        <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
+#include <algorithm>
 #include <random>
 
 #include "glisson/core/error.h"
@@ -96,6 +97,11 @@ struct Phantom {
   }
 };
 
+bool tells(const Segmented& found, const std::string& code) {
+  const std::vector<std::string>& notes = found.report.notes;
+  return std::find(notes.begin(), notes.end(), code) != notes.end();
+}
+
 struct Counts {
   long right = 0, wrong = 0, missed = 0, extra = 0;
   double dice() const {
@@ -169,6 +175,7 @@ class VesselsTest : public QObject {
   void TreesThatTouchAreKeptApart();
   void AKeptTreeIsNotEntered();
   void DimVesselsLetNoNoiseIn();
+  void VesselsThatHardlyEnhanceAreTold();
   void TheRimOfAKidneyIsNoVein();
 };
 
@@ -274,6 +281,16 @@ void VesselsTest::DimVesselsLetNoNoiseIn() {
   QVERIFY(portal.right > 1000 && hepatic.right > 1000);
   QVERIFY2(5 * portal.extra < portal.right, qPrintable(QString::number(portal.extra)));
   QVERIFY2(5 * hepatic.extra < hepatic.right, qPrintable(QString::number(hepatic.extra)));
+}
+
+void VesselsTest::VesselsThatHardlyEnhanceAreTold() {
+  const Phantom sound(5), faint(5, 118.0);
+  const Segmented bright = sound.found(sound.roots(), sound.liver),
+                  dim = faint.found(faint.roots(), faint.liver);
+  for (const char* code : {"portal_vein.faint", "hepatic_veins.faint"}) {
+    QVERIFY(!tells(bright, code));
+    QVERIFY(tells(dim, code));
+  }
 }
 
 void VesselsTest::TheRimOfAKidneyIsNoVein() {

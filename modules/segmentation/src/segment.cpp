@@ -264,8 +264,10 @@ void note_sizes(const LabelVolume& labels, const Structures& found, Segmentation
 }
 
 /// Codes, not sentences: what a person should look at.
-void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodies,
+void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodies, const Vessels& trees,
                  SegmentationReport& report) {
+  if (trees.portal_is_faint) report.notes.emplace_back("portal_vein.faint");
+  if (trees.hepatic_is_faint) report.notes.emplace_back("hepatic_veins.faint");
   if (report.liver_ml < 400.0) report.notes.emplace_back("liver.small");
   if (report.liver_ml > 4000.0) report.notes.emplace_back("liver.large");
   if (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0)
@@ -370,7 +372,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
-  note_doubts(seeds, anew, *bodies, result.report);
+  note_doubts(seeds, anew, *bodies, vessels->trees, result.report);
   if (!options.region) note_sizes(result.labels.voxels, found, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");

@@ -120,6 +120,12 @@ double vessel_contrast(const Field& ct, const VesselSeeds& seeds, const Tissue& 
   return std::max(vessel.mean - parenchyma.mean, 3.0 * parenchyma.sigma);
 }
 
+/// Whether what was clicked is not bright enough to be a candidate for a vessel by itself.
+bool is_faint(const Field& ct, const std::vector<Eigen::Vector3i>& clicks, const Tissue& parenchyma) {
+  return !clicks.empty() &&
+         tissue_around(ct, clicks, 2.0, 1.0, 50.0).mean < parenchyma.mean + kNoiseBright * parenchyma.sigma;
+}
+
 }  // namespace
 
 Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
@@ -152,6 +158,8 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
                                   const RunContext& context) {
   Vessels vessels{ct.empty_mask(), ct.empty_mask()};
   if (seeds.portal.empty() && seeds.hepatic.empty()) return vessels;
+  vessels.portal_is_faint = is_faint(ct, seeds.portal, parenchyma);
+  vessels.hepatic_is_faint = is_faint(ct, seeds.hepatic, parenchyma);
   const Mask region = search_region(liver, cava, barred);
   const auto tubes =
       tubeness(ct, region, std::vector<double>(kScales.begin(), kScales.end()), context.part(0.0, 0.6));

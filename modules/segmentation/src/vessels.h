@@ -13,6 +13,9 @@ struct VesselSeeds {
 
 struct Vessels {
   Mask portal, hepatic;
+  /// Its clicks are hardly brighter than the parenchyma, so that it is not told from the noise: another
+  /// phase.
+  bool portal_is_faint = false, hepatic_is_faint = false;
 };
 
 /// Tubeness of bright vessels over several scales, in HU: the largest over sigma of sigma^2 times the smaller

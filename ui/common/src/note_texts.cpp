@@ -43,6 +43,13 @@ class Notes {
          tr("On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.")},
         {"islands_left", tr("No label was free for the smallest islands: %1 stayed as they were.")},
         {"portal_vein.not_found", tr("No portal vein was found at its seeds.")},
+        {"portal_vein.faint",
+         tr("The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot "
+            "be told from it, and most of it is missing. Take the portal venous phase.")},
+        {"hepatic_veins.faint",
+         tr("The hepatic veins are hardly brighter than the liver where they were clicked: in this phase "
+            "they "
+            "cannot be told from it, and most of them are missing. Take the portal venous phase.")},
         {"hepatic_veins.hold_cava",
          tr("%1 ml of the hepatic veins lie outside of the liver: they have grown on into the vena cava. "
             "Click the vena cava, too, and segment again.")},
