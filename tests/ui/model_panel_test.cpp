@@ -12,8 +12,10 @@
 
 #include <vtkActorCollection.h>
 #include <vtkRenderer.h>
+#include <atomic>
 
 #include "fake_operation.h"
+#include "glisson/core/error.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/check_model.h"
 #include "glisson/engine/commands/edit_trees.h"
@@ -54,6 +56,7 @@ class ModelPanelTest : public QObject {
   void AGivenStiffnessIsNotRoundedByAnotherOnesChange();
   void AnEntranceIsMovedByAClickAndUndone();
   void APrunedTreeComesBackAndGoesAgain();
+  void AnUndoThatFailsLeavesNothingToRedo();
   void WhatAClickWouldCutIsToldBefore();
   void WhatAClickWouldJoinIsShownBefore();
   void AnImpossibleJoinSaysWhy();
@@ -117,6 +120,7 @@ class ModelPanelTest : public QObject {
     return operation_->model.vessels[tree].nodes.bottomRows(1).transpose();
   }
 
+  std::atomic<bool> edits_fail_ = false;
   std::unique_ptr<FakeOperation> operation_;
   std::unique_ptr<MainWindow> window_;
 };
@@ -126,8 +130,10 @@ void ModelPanelTest::init() {
   make_box_operation(*operation_);
   operation_->model.vessels[1].nodes.col(2).array() += 0.018;  // not behind the other, seen from the front
   engine::Engine::Options options = operation_->options();
-  options.apply = [fake = options.apply](const engine::CaseState& now, const engine::Command& command,
-                                         const RunContext& context, const engine::Services& services) {
+  edits_fail_ = false;
+  options.apply = [this, fake = options.apply](const engine::CaseState& now, const engine::Command& command,
+                                               const RunContext& context, const engine::Services& services) {
+    if (edits_fail_ && command.as<engine::EditTrees>() != nullptr) throw NumericalError("no memory");
     const bool real =
         command.as<engine::EditTrees>() != nullptr || command.as<engine::CheckModel>() != nullptr ||
         command.as<engine::SetReview>() != nullptr || command.as<engine::SetTissue>() != nullptr;
@@ -351,6 +357,24 @@ void ModelPanelTest::APrunedTreeComesBackAndGoesAgain() {
   window_->engine().post(engine::BuildModel{});
   QVERIFY(settle());
   QTRY_VERIFY(!editor().undo_button()->isEnabled() && !editor().redo_button()->isEnabled());
+}
+
+void ModelPanelTest::AnUndoThatFailsLeavesNothingToRedo() {
+  press(editor().tool_button(Kind::prune));
+  click_on(operation_->model.vessels[0].nodes.row(2).transpose());
+  QTRY_VERIFY(editor().undo_button()->isEnabled());
+  edits_fail_ = true;
+  press(editor().undo_button());
+  QCOMPARE(trees().size(), std::size_t{1});
+  QTRY_VERIFY(editor().undo_button()->isEnabled());
+  QVERIFY(!editor().redo_button()->isEnabled());
+  edits_fail_ = false;
+  press(editor().undo_button());
+  QTRY_VERIFY(editor().redo_button()->isEnabled());
+  // A redo that fails can be tried again.
+  edits_fail_ = true;
+  press(editor().redo_button());
+  QTRY_VERIFY(editor().redo_button()->isEnabled());
 }
 
 void ModelPanelTest::WhatAClickWouldCutIsToldBefore() {

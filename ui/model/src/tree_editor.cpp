@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "glisson/engine/commands/edit_trees.h"
 #include "glisson/engine/parts/model.h"
@@ -69,17 +70,17 @@ TreeEditor::TreeEditor(EngineBridge& engine, LinkedViews& views, QWidget* parent
   connect(escape_, &QShortcut::activated, this, &TreeEditor::leave);
   connect(undo_, &QPushButton::clicked, this, [this] {
     if (!shown_ || shown_->tree_edits.empty()) return;
-    std::vector<model::TreeEdit> edits = shown_->tree_edits;
-    undone_.push_back(edits.back());
+    std::vector<model::TreeEdit> edits = shown_->tree_edits, undone = undone_;
+    undone.push_back(edits.back());
     edits.pop_back();
-    post(std::move(edits));
+    post(std::move(edits), std::move(undone));
   });
   connect(redo_, &QPushButton::clicked, this, [this] {
     if (!shown_ || undone_.empty()) return;
-    std::vector<model::TreeEdit> edits = shown_->tree_edits;
-    edits.push_back(undone_.back());
-    undone_.pop_back();
-    post(std::move(edits));
+    std::vector<model::TreeEdit> edits = shown_->tree_edits, undone = undone_;
+    edits.push_back(undone.back());
+    undone.pop_back();
+    post(std::move(edits), std::move(undone));
   });
   connect(&engine_, &EngineBridge::case_changed, this, &TreeEditor::show_case);
   connect(&engine_, &EngineBridge::finished, this, &TreeEditor::take);
@@ -135,7 +136,7 @@ void TreeEditor::show_case() {
   const auto now = engine_.state()[part::model];
   if (now != shown_) {
     // What was undone can be redone only on the trees as this editor left them.
-    if (!now || !expected_ || now->tree_edits != *expected_) undone_.clear();
+    if (!now || !expected_ || now->tree_edits != *expected_) undone_.clear(), undone_before_.clear();
     expected_.reset();
     if (first_) {  // its tree may be gone
       first_.reset();
@@ -164,6 +165,7 @@ void TreeEditor::take(const engine::Outcome& outcome) {
     show_message(instruction());
   } else {
     expected_.reset();
+    undone_ = undone_before_;
     show_message(error_text(outcome.error), true);
   }
   show_case();
@@ -307,14 +309,14 @@ void TreeEditor::click(const Eigen::Vector3d& place) {
     views_.volume().patient().set_pull(std::nullopt);
   }
   views_.volume().patient().set_highlight({});
-  undone_.clear();
   std::vector<model::TreeEdit> edits = shown_->tree_edits;
   edits.push_back(edit);
-  post(std::move(edits));
+  post(std::move(edits), {});
 }
 
-void TreeEditor::post(std::vector<model::TreeEdit> edits) {
+void TreeEditor::post(std::vector<model::TreeEdit> edits, std::vector<model::TreeEdit> undone) {
   expected_ = edits;
+  undone_before_ = std::exchange(undone_, std::move(undone));
   posted_ = engine_.post(engine::EditTrees{std::move(edits)});
   undo_->setEnabled(false);
   redo_->setEnabled(false);

@@ -58,7 +58,8 @@ class TreeEditor : public QWidget {
   /// In 3D; an empty tree: nothing.
   void mark(VesselTree part);
   static QString described(const VesselTree& tree);
-  void post(std::vector<model::TreeEdit> edits);
+  /// @param undone what can be redone if the work is done; else that stays as it was.
+  void post(std::vector<model::TreeEdit> edits, std::vector<model::TreeEdit> undone);
   QString instruction() const;
 
   EngineBridge& engine_;
@@ -68,8 +69,9 @@ class TreeEditor : public QWidget {
   QLabel* message_;
   QShortcut* escape_;
   std::optional<model::TreeEdit::Kind> tool_;
-  std::optional<Eigen::Vector3d> first_;  ///< of a join
-  std::vector<model::TreeEdit> undone_;   ///< the last of them is redone first
+  std::optional<Eigen::Vector3d> first_;        ///< of a join
+  std::vector<model::TreeEdit> undone_;         ///< the last of them is redone first
+  std::vector<model::TreeEdit> undone_before_;  ///< before what is posted, on the trees that are shown
   std::optional<engine::CommandId> posted_;
   std::optional<std::vector<model::TreeEdit>> expected_;  ///< edits of the model that the command will make
   std::shared_ptr<const model::BuiltModel> shown_;
