@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bites.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace glisson::segmentation {
 namespace {
 
