@@ -160,8 +160,10 @@ void RegistrationFileTest::ARigidPartIsReadHoweverItsNumbersStand() {
     QVERIFY((read.rotation - registration.camera_from_ct.rotation).norm() < 1e-12);
     QVERIFY((read.translation - registration.camera_from_ct.translation).norm() < 1e-12);
   }
-  for (const Eigen::MatrixXd& table : {Eigen::MatrixXd(square.reshaped(2, 8)),
-                                       Eigen::MatrixXd(square.reshaped(8, 2)), Eigen::MatrixXd(2.0 * square)})
+  const Eigen::MatrixXd in_columns = square.transpose();
+  for (const Eigen::MatrixXd& table :
+       {Eigen::MatrixXd(square.reshaped(2, 8)), Eigen::MatrixXd(square.reshaped(8, 2)),
+        Eigen::MatrixXd(2.0 * square), in_columns})
     QVERIFY_THROWS_EXCEPTION(InputError, read_with(table));
 }
 

@@ -12,6 +12,7 @@
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/refusal.h"
+#include "glisson/registration/registration_files.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -251,8 +252,7 @@ CameraFromCt read_rigid(const fs::path& path, const Eigen::MatrixXd& table, Leng
       const Eigen::Index n = 4 * i + k;
       matrix(i, k) = is_square ? table(i, k) : table.rows() == 1 ? table(0, n) : table(n, 0);
     }
-  matrix.topRightCorner<3, 1>() *= metres_per(unit);
-  return CameraFromCt::from_matrix(matrix, path.string());
+  return registration::camera_from_ct_of(matrix, unit, path.string());
 }
 
 }  // namespace

@@ -12,9 +12,21 @@
 namespace glisson::registration {
 namespace fs = std::filesystem;
 
-CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
-  constexpr const char* kRemedy = "Write a 4 x 4 matrix, cloud_from_model, row by row";
+namespace {
+
+constexpr const char* kRemedy = "Write a 4 x 4 matrix, cloud_from_model, row by row";
+
+}  // namespace
+
+CameraFromCt camera_from_ct_of(Eigen::Matrix4d matrix, LengthUnit unit, const std::string& where) {
   constexpr double kRounded = 1e-3;
+  if (!matrix.row(3).isApprox(Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0), kRounded))
+    throw InputError(where, "matrix", "its last row is not 0 0 0 1", kRemedy);
+  matrix.topRightCorner<3, 1>() *= metres_per(unit);
+  return CameraFromCt::from_matrix(matrix, where);
+}
+
+CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
   std::istringstream stream(read_file(path));
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i)
@@ -22,11 +34,7 @@ CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
       throw InputError(path.string(), "matrix", "is not 16 numbers", kRemedy);
   if (std::string more; stream >> more)
     throw InputError(path.string(), "matrix", "is not 16 numbers", kRemedy);
-  // Column by column, as some programs write it, it would be the inverse rotation without a translation.
-  if (!matrix.row(3).isApprox(Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0), kRounded))
-    throw InputError(path.string(), "matrix", "its last row is not 0 0 0 1", kRemedy);
-  matrix.topRightCorner<3, 1>() *= metres_per(unit);
-  return CameraFromCt::from_matrix(matrix, path.string());
+  return camera_from_ct_of(matrix, unit, path.string());
 }
 
 void write_carried_surface(const fs::path& path, const TriangleMesh& surface, const PatientModel& model,

@@ -15,9 +15,15 @@
 
 namespace glisson::registration {
 
+/// Of a matrix cloud_from_model as a file has it, row by row. @param unit of its translation.
+/// @param where the file, for the error.
+/// @throws InputError no rotation, or a last row that is not 0 0 0 1: written column by column it would be
+/// the inverse rotation without a translation.
+CameraFromCt camera_from_ct_of(Eigen::Matrix4d matrix, LengthUnit unit, const std::string& where);
+
 /// A rigid start: 16 numbers, a 4 x 4 matrix cloud_from_model, row by row.
 /// @param unit of its translation.
-/// @throws FileError; InputError fewer numbers, or no rotation.
+/// @throws FileError; InputError not 16 numbers, or as camera_from_ct_of.
 CameraFromCt read_start(const std::filesystem::path& path, LengthUnit unit);
 
 /// A surface of the model, carried by its tetrahedra to where the registration puts them, in its own order
