@@ -2,7 +2,6 @@
 #include "glisson/ui/guidance/live_view.h"
 
 #include <QBoxLayout>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
@@ -11,6 +10,7 @@
 #include <algorithm>
 
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/save_name.h"
 
 namespace glisson::ui {
 namespace {
@@ -172,9 +172,10 @@ void LiveView::switch_whole_screen() {
 
 void LiveView::save_picture() {
   const Picture held = model_.picture();  // the video goes on while the dialog asks
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the picture"),
-                                                    QStringLiteral("frame_%1.png").arg(model_.shown_index()),
-                                                    tr("Pictures (*.png *.jpg)"));
+  const QString path = ask_where_to_save(
+      this, tr("Save the picture"), QStringLiteral("frame_%1.png").arg(model_.shown_index()),
+      tr("Pictures (*.png *.jpg)"),
+      {QStringLiteral(".png"), QStringLiteral(".jpg"), QStringLiteral(".jpeg")});
   if (path.isEmpty()) return;
   const QString error = LiveViewModel::save_picture(held, path);
   if (!error.isEmpty()) QMessageBox::warning(this, tr("Save the picture"), error);

@@ -2,13 +2,13 @@
 #include "glisson/ui/guidance/recording_box.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include "box_layout.h"
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/save_name.h"
 
 namespace glisson::ui {
 
@@ -42,8 +42,8 @@ RecordingBox::RecordingBox(RecordingModel& model, QWidget* parent)
 
 void RecordingBox::toggle() {
   if (model_.is_recording) return model_.stop();
-  const QString path = QFileDialog::getSaveFileName(this, tr("Record the live view"),
-                                                    QStringLiteral("overlay.mkv"), tr("Video (*.mkv)"));
+  const QString path = ask_where_to_save(this, tr("Record the live view"), QStringLiteral("overlay.mkv"),
+                                         tr("Video (*.mkv)"), {QStringLiteral(".mkv")});
   if (path.isEmpty()) return;
   if (model_.is_offered) return model_.start(path);
   QMessageBox::warning(this, tr("Record the live view"),

@@ -24,6 +24,7 @@
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/save_name.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/click_box.h"
 #include "glisson/ui/segmentation/network_box.h"
@@ -196,7 +197,8 @@ void SeedBox::load_seeds() {
 }
 
 void SeedBox::save_seeds() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save seeds"), {}, tr("Seeds (*.json)"));
+  const QString path =
+      ask_where_to_save(this, tr("Save seeds"), {}, tr("Seeds (*.json)"), {QStringLiteral(".json")});
   if (path.isEmpty()) return;
   try {
     segmentation::write_seeds(path.toStdString(), seeds_);
