@@ -32,6 +32,7 @@ class MorphologyTest : public QObject {
   void DistanceOfNothingIsInfinite();
   void DilationAndErosionAgreeWithBruteForce();
   void ClosingFillsANarrowGapAndKeepsAWideOne();
+  void ClosingDoesNotDependOnWhereTheVolumeEnds();
   void ComponentsAreRankedBySize();
   void HolesAreFilledAndBaysAreNot();
   void CropAndPasteGoThereAndBack();
@@ -102,6 +103,26 @@ void MorphologyTest::ClosingFillsANarrowGapAndKeepsAWideOne() {
   QCOMPARE(int(result.voxels[result.offset(21, 10, 10)]), 1);
   QCOMPARE(int(result.voxels[result.offset(40, 10, 10)]), 0);
   QCOMPARE(int(result.voxels[result.offset(57, 10, 10)]), 0);
+}
+
+void MorphologyTest::ClosingDoesNotDependOnWhereTheVolumeEnds() {
+  // A ball with a notch; the volume ends at its sides, or far from them.
+  const auto ball = [](int room) {
+    Mask mask(Eigen::Vector3i::Constant(21 + 2 * room), {1.0, 1.0, 1.5});
+    each(mask, [&](const Eigen::Vector3i& v, std::size_t at) {
+      const Eigen::Vector3i p = v - Eigen::Vector3i::Constant(10 + room);
+      const bool notch = p.x() > 4 && std::abs(p.y()) < 2;
+      mask.voxels[at] = p.squaredNorm() <= 100 && !notch ? 1 : 0;
+    });
+    return mask;
+  };
+  constexpr int kRoom = 25;
+  const Mask near = closed(ball(0), 12.0), far = closed(ball(kRoom), 12.0);
+  QVERIFY(near.count() > ball(0).count());
+  QCOMPARE(near.count(), far.count());
+  each(near, [&](const Eigen::Vector3i& v, std::size_t at) {
+    QCOMPARE(int(near.voxels[at]), int(far.voxels[far.offset(v.x() + kRoom, v.y() + kRoom, v.z() + kRoom)]));
+  });
 }
 
 void MorphologyTest::ComponentsAreRankedBySize() {

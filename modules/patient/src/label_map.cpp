@@ -76,9 +76,7 @@ std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm
   require(closing_mm >= 0.0, "a closing has a radius of zero or more");
   const VolumeGrid& grid = labels.voxels.grid();
   std::vector<std::uint8_t> whole = labels.voxels.mask(is_liver_tissue);
-  // Twice the radius of air around: the closing must see the outside on every side.
-  const VoxelBox box =
-      bounding_box(grid.size, grid.spacing_mm, whole, 2.0 * closing_mm + grid.spacing_mm.maxCoeff());
+  const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, whole, grid.spacing_mm.maxCoeff());
   if (box.empty()) return whole;
   Mask liver = crop(grid.size, grid.spacing_mm, whole, box);
   const Mask vessels = crop(grid.size, grid.spacing_mm, labels.voxels.mask(is_liver_vessel), box);

@@ -74,7 +74,8 @@ Cancellable<Evened> evened(const Image& image, const RunContext& context) {
   if (!bias) return std::nullopt;
   result.bias = std::move(*bias);
   for (std::size_t i = 0; i < coarse.values.size(); ++i) coarse.values[i] /= result.bias.values[i];
-  result.body = holes_filled(largest_component(closed(tissue, kHollow)));
+  // Not closed(): the body goes on beyond the picture, so that its hollows are shut there, too.
+  result.body = holes_filled(largest_component(eroded(dilated(tissue, kHollow), kHollow)));
   return result;
 }
 

@@ -266,7 +266,22 @@ Mask eroded(const Mask& mask, double radius_mm) {
 
 Mask opened(const Mask& mask, double radius_mm) { return dilated(eroded(mask, radius_mm), radius_mm); }
 
-Mask closed(const Mask& mask, double radius_mm) { return eroded(dilated(mask, radius_mm), radius_mm); }
+Mask closed(const Mask& mask, double radius_mm) {
+  const VoxelBox box = bounding_box(mask.size, mask.spacing_mm, mask.voxels, 0.0);
+  if (box.empty()) return mask;
+  // Room on all sides: a dilation that the volume's edge cuts off would not be eroded from there.
+  Eigen::Vector3i room;
+  for (int axis = 0; axis < 3; ++axis)
+    room[axis] = static_cast<int>(std::ceil(radius_mm / mask.spacing_mm[axis])) + 2;
+  const VoxelBox inside{room, room + box.size()};
+  Mask part(box.size() + 2 * room, mask.spacing_mm);
+  paste(crop(mask.size, mask.spacing_mm, mask.voxels, box), inside, part.size, part.voxels);
+  part = eroded(dilated(part, radius_mm), radius_mm);
+  // A closing stays within the box of what it closes.
+  Mask result(mask.size, mask.spacing_mm);
+  paste(crop(part.size, part.spacing_mm, part.voxels, inside), box, result.size, result.voxels);
+  return result;
+}
 
 std::vector<int> connected_components(const Mask& mask, std::vector<long>& sizes) {
   std::vector<int> number(mask.voxels.size(), 0);

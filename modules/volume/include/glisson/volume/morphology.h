@@ -61,7 +61,8 @@ std::vector<float> squared_depth_mm2(const Mask& mask);
 Mask complement(Mask mask);
 
 /// Morphology with a ball of `radius_mm`. Outside the volume counts as background for dilation and as
-/// foreground for erosion, so that an organ cut by the image's edge is not eaten from there.
+/// foreground for erosion, so that an organ cut by the image's edge is not eaten from there. For closing it
+/// is background throughout: what is closed does not depend on where the volume ends.
 Mask dilated(const Mask& mask, double radius_mm);
 Mask eroded(const Mask& mask, double radius_mm);
 Mask opened(const Mask& mask, double radius_mm);
