@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "of_none.h"
+
 namespace glisson::experiments {
 namespace {
 
@@ -42,18 +44,13 @@ double Roc::far_hidden(double factor) const { return share_from(far_, factor); }
 double Roc::near_valid(double factor) const { return 1.0 - share_from(sound_, factor); }
 
 std::vector<std::string> Roc::table(const std::string& title) const {
-  const auto number = [](const char* format, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return std::isnan(value) ? std::string("-") : std::string(text);
-  };
   char line[160];
-  std::snprintf(line, sizeof line, "%s: area %s", title.c_str(), number("%.4f", area()).c_str());
+  std::snprintf(line, sizeof line, "%s: area %s", title.c_str(), figure_text("%.4f", area()).c_str());
   std::vector<std::string> lines{line, "limits times   >10 mm hidden %   <3 mm valid %"};
   for (const double factor : kFactors) {
     std::snprintf(line, sizeof line, "%12.2f %17s %15s", factor,
-                  number("%.1f", 100.0 * far_hidden(factor)).c_str(),
-                  number("%.1f", 100.0 * near_valid(factor)).c_str());
+                  figure_text("%.1f", 100.0 * far_hidden(factor)).c_str(),
+                  figure_text("%.1f", 100.0 * near_valid(factor)).c_str());
     lines.emplace_back(line);
   }
   return lines;

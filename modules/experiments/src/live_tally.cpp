@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "glisson/core/statistics.h"
+#include "of_none.h"
 
 namespace glisson::experiments {
 namespace {
@@ -13,23 +14,13 @@ namespace {
 constexpr double kFrameRate = 30.0;  ///< of the films
 constexpr int kEnoughShown = 30;     ///< valid frames of a fault, to be compared with a frozen model
 
-/// Not a number of nothing: no aim is met by what did not happen.
-double share(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : std::nan(""); }
 double seconds(int frames) { return frames >= 0 ? frames / kFrameRate : std::nan(""); }
 
-std::string percent(int part, int whole) {
-  if (whole == 0) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", 100.0 * part / whole);
-  return text;
-}
+std::string percent(int part, int whole) { return figure_text("%.1f", 100.0 * share_of(part, whole)); }
 
 /// Metres as millimetres, a mean.
 std::string mean_mm(double sum, int count) {
-  if (count == 0) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", 1e3 * sum / count);
-  return text;
+  return figure_text("%.1f", count > 0 ? 1e3 * sum / count : std::nan(""));
 }
 
 std::string row(const std::string& name, const FaultTally& tally) {
@@ -170,10 +161,10 @@ void LiveTally::tell_faults(const std::string& title, LiveProof& proof) const {
 void LiveTally::tell_lesions(const std::string& title, const std::string& prefix, LiveProof& proof) const {
   if (lesions_.roc.empty()) return;
   proof.figures[prefix + "lesion_far_frames"] = lesions_.far;
-  proof.figures[prefix + "lesion_far_hidden_share"] = share(lesions_.far_hidden, lesions_.far);
+  proof.figures[prefix + "lesion_far_hidden_share"] = share_of(lesions_.far_hidden, lesions_.far);
   proof.figures[prefix + "lesion_near_sound_valid_share"] =
-      share(lesions_.near_sound_valid, lesions_.near_sound);
-  proof.figures[prefix + "lesion_inside_share"] = share(lesions_.inside, lesions_.drawn);
+      share_of(lesions_.near_sound_valid, lesions_.near_sound);
+  proof.figures[prefix + "lesion_inside_share"] = share_of(lesions_.inside, lesions_.drawn);
   proof.figures[prefix + "lesion_roc_area"] = lesions_.roc.area();
   proof.table.emplace_back();
   for (const std::string& line : lesions_.roc.table(title + ", ROC of single lesions by their reach"))
@@ -198,10 +189,10 @@ void LiveTally::sum_up(const std::string& title, const std::string& prefix, Live
   proof.figures[prefix + "of_frozen_share"] = of_frozen;
   proof.figures[prefix + "roc_area"] = roc_.area();
   proof.figures[prefix + "far_frames"] = whole.far;
-  proof.figures[prefix + "far_hidden_share"] = share(whole.far_hidden, whole.far);
-  proof.figures[prefix + "far_hidden_before_share"] = share(whole.far_hidden_before, whole.far);
-  proof.figures[prefix + "near_valid_share"] = share(whole.near_valid, whole.near);
-  proof.figures[prefix + "near_sound_valid_share"] = share(whole.near_sound_valid, whole.near_sound);
+  proof.figures[prefix + "far_hidden_share"] = share_of(whole.far_hidden, whole.far);
+  proof.figures[prefix + "far_hidden_before_share"] = share_of(whole.far_hidden_before, whole.far);
+  proof.figures[prefix + "near_valid_share"] = share_of(whole.near_valid, whole.near);
+  proof.figures[prefix + "near_sound_valid_share"] = share_of(whole.near_sound_valid, whole.near_sound);
   proof.figures[prefix + "latest_seconds"] = seconds(whole.latest);
   proof.figures[prefix + "return_seconds"] = seconds(whole.returned);
   proof.figures[prefix + "frame_p50_ms"] = lower_percentile(whole.milliseconds, 0.5);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "glisson/core/error.h"
+#include "of_none.h"
 #include "registration_trials.h"
 
 namespace glisson::experiments {
@@ -19,9 +20,6 @@ double millimetres(double metres) { return 1e3 * metres; }
 const char* proof_set_code(ProofSet set) {
   return set == ProofSet::development ? "development" : "validation";
 }
-
-/// Not a number of nothing: no aim is met by what did not happen.
-double share_of(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : std::nan(""); }
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -39,10 +37,7 @@ struct Mean {
   double value() const { return count > 0 ? sum / count : std::nan(""); }
 };
 
-/// Millimetres; "-" of nothing.
-std::string shown(const Mean& mean) {
-  return mean.count > 0 ? text("%.2f", millimetres(mean.value())) : std::string("-");
-}
+std::string shown_mm(const Mean& mean) { return figure_text("%.2f", millimetres(mean.value())); }
 
 struct Cell {
   Mean ours, paper, rigid, lesion;
@@ -223,8 +218,8 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
   proof.table.emplace_back("handled    seen %  trials  ours mm  paper mm  rigid mm  lesion mm  doubted");
   const auto row = [&](const std::string& what, double share, const Cell& cell) {
     proof.table.push_back(text("%-10s %6.0f %7d %8s %9s %9s %10s %8d", what.c_str(), 100.0 * share,
-                               cell.count, shown(cell.ours).c_str(), shown(cell.paper).c_str(),
-                               shown(cell.rigid).c_str(), shown(cell.lesion).c_str(), cell.doubted));
+                               cell.count, shown_mm(cell.ours).c_str(), shown_mm(cell.paper).c_str(),
+                               shown_mm(cell.rigid).c_str(), shown_mm(cell.lesion).c_str(), cell.doubted));
   };
   int beaten = 0;
   for (const auto& [key, cell] : cells) {
