@@ -72,7 +72,7 @@ Cancellable<Canvas> apply(const Smooth& tool, Task& task) {
   if (tool.method == Smooth::Method::joint) return smooth_all(tool, task);
   const double radius_mm = 1e3 * tool.radius;
   const LabelSet shape = shape_of(tool.label);
-  // What a closing dilates must end inside the box, and a voxel of air lie about it.
+  // What a median adds must end inside the box, and a voxel of air lie about it.
   const VoxelBox box = grown(box_of(task.labels.voxels, shape), task.grid(),
                              2.0 * radius_mm + task.grid().spacing_mm.maxCoeff());
   Canvas canvas = task.canvas(box);
@@ -82,11 +82,9 @@ Cancellable<Canvas> apply(const Smooth& tool, Task& task) {
   if (tool.method == Smooth::Method::median) {
     after = majority(mask, box, radius_mm, task.context.part(0.0, 0.8));
   } else {
-    const bool closing = tool.method == Smooth::Method::closing;
-    const Mask between = closing ? dilated(mask, radius_mm) : eroded(mask, radius_mm);
-    task.context.progress(0.4, "segmentation.edit");
+    after = tool.method == Smooth::Method::closing ? closed(mask, radius_mm) : opened(mask, radius_mm);
+    task.context.progress(0.8, "segmentation.edit");
     if (task.context.cancelled()) return std::nullopt;
-    after = closing ? eroded(between, radius_mm) : dilated(between, radius_mm);
   }
   if (!after || !reshape(canvas, box, *after, tool.label, task.context.part(0.8, 1.0))) return std::nullopt;
   return canvas;
