@@ -2152,10 +2152,6 @@
         <translation>Lassen Sie die Angabe weg</translation>
     </message>
     <message>
-        <source>there are neither labels nor a model</source>
-        <translation>es gibt weder Labels noch ein Modell</translation>
-    </message>
-    <message>
         <source>lies there already and is none of the surfaces that are written</source>
         <translation>liegt dort schon und ist keine der Oberflächen, die geschrieben werden</translation>
     </message>

@@ -2152,10 +2152,6 @@
         <translation>Ne donnez pas ce choix</translation>
     </message>
     <message>
-        <source>there are neither labels nor a model</source>
-        <translation>il n’y a ni labels ni modèle</translation>
-    </message>
-    <message>
         <source>lies there already and is none of the surfaces that are written</source>
         <translation>s’y trouve déjà et n’est aucune des surfaces à écrire</translation>
     </message>

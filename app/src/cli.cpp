@@ -298,7 +298,7 @@ engine::Outcome Session::post(engine::Command command) {
   return *outcome;
 }
 
-void Session::need(const std::vector<engine::Part>& parts) const {
+void Session::need(const engine::Needs& parts) const {
   with_names([&] { engine::require_parts(state(), parts); });
 }
 

@@ -115,7 +115,7 @@ class Session {
   OverlayFrame follow(engine::LiveInput input, double fraction);
   const engine::CaseState& state() const { return script_.state(); }
   /// @throws Error the engine's sentence on the first of these parts that the case does not have.
-  void need(const std::vector<engine::Part>& parts) const;
+  void need(const engine::Needs& parts) const;
   /// Does something whose sentences name what call() has named.
   void with_names(const std::function<void()>& work) const;
   /// Progress, cancel and seed, for work outside the engine.

@@ -35,7 +35,7 @@ Rooms folders_in(const fs::path& folder) {
 }
 
 constexpr int kMostLines = 500;  // of a file
-constexpr int kMostOfFunction = 80, kMostOfFunctionInApp = 60;
+constexpr int kMostOfFunction = 80, kMostOfFunctionInApp = 60, kMostOfApply = 15;
 
 std::vector<std::string> lines_of(std::istream&& stream) {
   std::vector<std::string> lines;
@@ -87,6 +87,7 @@ class HouseTest : public QObject {
   void ListsStandForTheirRooms();
   void BrokenPlansAreRefused();
   void FilesAndFunctionsCanBeRead();
+  void CommandsAreShort();
   void LongFunctionsAreFound();
 };
 
@@ -172,6 +173,23 @@ void HouseTest::FilesAndFunctionsCanBeRead() {
         offences += name + ": " + function + "\n";
     }
   QVERIFY2(offences.empty(), ("too long to be read at once:\n" + offences).c_str());
+}
+
+/// What a command does stands in its module: its apply() calls it and puts the result in its place.
+void HouseTest::CommandsAreShort() {
+  std::string offences;
+  int commands = 0;
+  for (const fs::path& source : sources_below(source_root() / "modules" / "engine" / "src")) {
+    const std::vector<std::string> lines = lines_of(std::ifstream(source));
+    const auto applies = [](const std::string& line) {
+      return line.find("::apply(const CaseState&") != line.npos;
+    };
+    commands += static_cast<int>(std::count_if(lines.begin(), lines.end(), applies));
+    for (const std::string& function : longer_than(kMostOfApply, lines))
+      if (applies(function)) offences += source.filename().string() + ": " + function + "\n";
+  }
+  QVERIFY2(commands > 50, qPrintable(QString::number(commands)));
+  QVERIFY2(offences.empty(), ("longer than 15 lines:\n" + offences).c_str());
 }
 
 void HouseTest::LongFunctionsAreFound() {

@@ -7,6 +7,7 @@
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/choose_rival.h"
+#include "glisson/engine/commands/export_surfaces.h"
 #include "glisson/engine/commands/reconstruct.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/segment.h"
@@ -68,6 +69,7 @@ class ObstacleTest : public QObject {
   void BeingOutOfDateIsFollowedToWhereItBegins();
   void WhatIsRefusedIsInTheWayUntilSomebodyAcceptsIt();
   void TheVideoIsNeededWhereItIsFollowed();
+  void OneOfTwoPartsIsEnoughWhereEitherDoes();
   void ErrorsNamePartAndRemedy();
 };
 
@@ -150,6 +152,19 @@ void ObstacleTest::TheVideoIsNeededWhereItIsFollowed() {
   command.source = StartTracking::Source::frames;
   state.stamp(part::frame).made_from.clear();  // from another source
   QVERIFY(!obstacle(state, command));
+}
+
+/// Surfaces are written of the labels or of a model, whichever there is.
+void ObstacleTest::OneOfTwoPartsIsEnoughWhereEitherDoes() {
+  const CaseState both = registered_case();
+  QVERIFY(both.has(part::labels) && both.has(part::model));
+  QVERIFY(!obstacle(both, ExportSurfaces{}));
+  CaseState labels = both, model = both;
+  labels[part::model] = nullptr;
+  model[part::labels] = nullptr;
+  QVERIFY(!obstacle(labels, ExportSurfaces{}) && !obstacle(model, ExportSurfaces{}));
+  const auto first = obstacle(CaseState(), ExportSurfaces{});
+  QVERIFY(first && first->kind == Kind::missing && first->part == part::labels);
 }
 
 void ObstacleTest::ErrorsNamePartAndRemedy() {

@@ -35,10 +35,11 @@ Obstacle origin(const CaseState& state, Part part) {
 
 }  // namespace
 
-std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>& needs, const Parts& current,
+std::optional<Obstacle> obstacle(const CaseState& state, const Needs& needs, const Parts& current,
                                  const Parts& accepted) {
-  for (const Part part : needs)
-    if (!state.has(part)) return Obstacle{Obstacle::Kind::missing, part, missing_input(state, part)};
+  for (const Need& need : needs)
+    if (!state.has(need.part) && !state.has(need.instead))
+      return Obstacle{Obstacle::Kind::missing, need.part, missing_input(state, need.part)};
   for (const Part part : all_parts())
     if (current.has(part) && is_stale(state, part)) return origin(state, part);
   for (const Part part : all_parts())
@@ -73,7 +74,7 @@ InputError error_of(const Obstacle& obstacle) {
   return {"case", code, "is out of date" + cause, "Make it anew"};
 }
 
-void require_parts(const CaseState& state, const std::vector<Part>& needs) {
+void require_parts(const CaseState& state, const Needs& needs) {
   if (const auto first = obstacle(state, needs)) throw error_of(*first);
 }
 

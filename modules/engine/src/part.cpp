@@ -48,6 +48,12 @@ Parts Parts::all() {
   return parts;
 }
 
+Need either(Part part, Part instead) {
+  Need need(part);
+  need.instead = instead;
+  return need;
+}
+
 bool Parts::has(Part part) const { return std::binary_search(parts_.begin(), parts_.end(), part); }
 
 bool Parts::meets(const Parts& other) const {

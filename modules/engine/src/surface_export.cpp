@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/output_file.h"
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/geometry/mesh_io.h"
@@ -28,8 +29,7 @@ Cancellable<std::vector<NamedSurface>> surfaces_of(const CaseState& state, const
                                                    std::vector<std::string>& notes) {
   const auto& labels = state[part::labels];
   const auto& model = state[part::model];
-  if (!has_surfaces(state))
-    throw InputError("surfaces", "", "there are neither labels nor a model", "Segment the liver first");
+  require_parts(state, {either(part::labels, part::model)});
   const bool is_current = stage_state(state, part::model) == StageState::current;
   if (model && (is_current || !labels)) return model->model.surfaces;
   return model::surfaces_of_labels(*labels, context, notes);
@@ -62,8 +62,6 @@ const std::vector<std::string>& surface_endings() {
   static const std::vector<std::string> kEndings = {".stl", ".ply", ".obj", ".vtp"};
   return kEndings;
 }
-
-bool has_surfaces(const CaseState& state) { return state.has(part::labels) || state.has(part::model); }
 
 Cancellable<std::vector<fs::path>> write_case_surfaces(const fs::path& folder, const std::string& ending,
                                                        const CaseState& state, const RunContext& context,

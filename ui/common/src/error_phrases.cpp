@@ -236,7 +236,6 @@ const std::vector<const char*>& general_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "hold %1 and %2 pictures with no name in common"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no folder"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not of a recording"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "there are neither labels nor a model"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies there already and is none of the surfaces that are written"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "\"%1\" is none that surfaces are written in"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is black in both views"),

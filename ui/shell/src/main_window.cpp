@@ -365,7 +365,7 @@ void MainWindow::show_case() {
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
   export_labels_->setEnabled(!engine::obstacle(now, engine::ExportLabels{}));
-  export_surfaces_->setEnabled(engine::has_surfaces(now));
+  export_surfaces_->setEnabled(!engine::obstacle(now, engine::ExportSurfaces{}));
   setWindowModified(!name.isEmpty() && engine::editions(now) != saved_);
   show_middle();
 }

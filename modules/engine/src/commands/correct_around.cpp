@@ -39,6 +39,13 @@ Cancellable<Corrected> corrected(const CorrectAround& command, const CaseState& 
   return all;
 }
 
+Figures figures_of(const Corrected& made) {
+  const auto changed = static_cast<double>(made.changed);
+  return {{"voxels_changed", changed},
+          {"changed_ml", 1e-3 * changed * made.labels.voxels.grid().voxel_volume_mm3()},
+          {"reach_mm", made.reach_mm}};
+}
+
 }  // namespace
 
 CommandTraits CorrectAround::traits() const {
@@ -53,12 +60,7 @@ Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunConte
   require_labels_fit_image(state);
   auto made = corrected(*this, state, context);
   if (!made) return {};
-  const auto changed = static_cast<double>(made->changed);
-  Applied applied{state};
-  applied.notes = std::move(made->notes);
-  applied.figures["voxels_changed"] = changed;
-  applied.figures["changed_ml"] = 1e-3 * changed * made->labels.voxels.grid().voxel_volume_mm3();
-  applied.figures["reach_mm"] = made->reach_mm;
+  Applied applied{state, figures_of(*made), made->notes};
   // Where nothing changes the labels stay the same edition: a model made of them is not out of date.
   if (made->changed > 0)
     put_edited_labels(applied.state, *state[part::labels], std::move(made->labels),

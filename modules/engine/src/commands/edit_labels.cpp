@@ -9,6 +9,18 @@
 #include "label_steps.h"
 
 namespace glisson::engine {
+namespace {
+
+/// What the edit makes of the labels: the preview where it shows this edit of these labels.
+Cancellable<editing::Edited> edited(const CaseState& state, const LabelMap& before, const editing::Edit& edit,
+                                    const RunContext& context) {
+  const auto& preview = state[part::preview];
+  const bool is_of_now = preview && stage_state(state, part::preview) == StageState::current;
+  if (is_of_now && preview->base == state[part::labels] && preview->edit == edit) return preview->result;
+  return editing::apply_edit(before, *state[part::image], edit, context);
+}
+
+}  // namespace
 
 CommandTraits EditLabels::traits() const {
   return {.code = "edit_labels",
@@ -22,22 +34,14 @@ CommandTraits EditLabels::traits() const {
 Cancellable<Applied> EditLabels::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
   const LabelMap before = labels_or_none(state);
-  const auto& preview = state[part::preview];
-  std::optional<editing::Edited> edited;
-  const bool is_of_now = preview && stage_state(state, part::preview) == StageState::current;
-  if (is_of_now && preview->base == state[part::labels] && preview->edit == edit)
-    edited = preview->result;
-  else
-    edited = editing::apply_edit(before, *state[part::image], edit, context);
-  if (!edited) return {};
-  Applied applied{state};
-  applied.figures["voxels_changed"] = static_cast<double>(edited->voxels_changed);
-  applied.notes = edited->notes;
-  if (edited->voxels_changed == 0)
+  auto made = edited(state, before, edit, context);
+  if (!made) return {};
+  Applied applied{state, {{"voxels_changed", static_cast<double>(made->voxels_changed)}}, made->notes};
+  if (made->voxels_changed == 0)
     // The labels stay the same edition: a model made of them is not out of date.
     applied.state[part::preview] = nullptr;
   else
-    put_edited_labels(applied.state, before, std::move(edited->labels), editing::step_name(edit), gesture);
+    put_edited_labels(applied.state, before, std::move(made->labels), editing::step_name(edit), gesture);
   return applied;
 }
 

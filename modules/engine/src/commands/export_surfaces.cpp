@@ -8,7 +8,10 @@
 namespace glisson::engine {
 
 CommandTraits ExportSurfaces::traits() const {
-  return {.code = "export_surfaces", .reads = {part::labels, part::model}, .notice = Notice::files};
+  return {.code = "export_surfaces",
+          .reads = {part::labels, part::model},
+          .needs = {either(part::labels, part::model)},
+          .notice = Notice::files};
 }
 
 Cancellable<Applied> ExportSurfaces::apply(const CaseState& state, const RunContext& context) const {

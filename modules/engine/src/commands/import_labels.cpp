@@ -138,6 +138,29 @@ LabelFile read_dicom(const std::filesystem::path& path, const CaseState& state, 
   return labels.file;
 }
 
+/// A file as it is read, what its codes mean (empty: they are Glisson's) and what there is to be told.
+struct Read {
+  LabelFile file;
+  LabelCodes meanings;
+  std::vector<std::string> notes;
+};
+
+Read read(const ImportLabels& command, const CaseState& state) {
+  Read read{{}, command.codes, {}};
+  read.file = has_dicom_mark(command.path) ? read_dicom(command.path, state, read.meanings, read.notes)
+                                           : read_volume(command.path, read.meanings, read.notes);
+  const Image* image = state[part::image].get();
+  if (image != nullptr) require_same_grid(read.file.voxels.grid(), image->grid, command.path.string());
+  if (!command.codes.empty()) note_left_out(read.file, command.codes, read.notes);
+  return read;
+}
+
+LabelMap labels_of(const Read& read, const std::string& path) {
+  if (!read.meanings.empty()) return recode(read.file, read.meanings, path);
+  require_not_mirrored(read.file.voxels, path);  // recode() does it, too
+  return {read.file.voxels, read.file.infos};
+}
+
 }  // namespace
 
 CommandTraits ImportLabels::traits() const {
@@ -149,20 +172,11 @@ CommandTraits ImportLabels::traits() const {
 
 Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContext& context) const {
   context.progress(0.0, "labels.read");
-  LabelCodes meanings = codes;
-  std::vector<std::string> notes;
-  const LabelFile file =
-      has_dicom_mark(path) ? read_dicom(path, state, meanings, notes) : read_volume(path, meanings, notes);
-  if (state[part::image]) require_same_grid(file.voxels.grid(), state[part::image]->grid, path.string());
-  if (!codes.empty()) note_left_out(file, codes, notes);
+  Read file = read(*this, state);
   if (context.cancelled()) return {};
-  if (meanings.empty()) require_not_mirrored(file.voxels, path.string());  // else recode() does
-  LabelMap labels =
-      meanings.empty() ? LabelMap{file.voxels, file.infos} : recode(file, meanings, path.string());
-  Applied applied{state};
-  applied.notes = std::move(notes);
-  replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});
-  put_review(applied.state, review_in(file, meanings));
+  Applied applied{state, {}, std::move(file.notes)};
+  replace_labels(applied.state, labels_of(file, path.string()), {kImportStep, 0, 0.0});
+  put_review(applied.state, review_in(file.file, file.meanings));
   report_labels(applied.state, applied.figures);
   if (!applied.figures.contains("label_parenchyma_ml"))
     throw InputError(path.string(), "labels", "none of them is the liver's parenchyma",

@@ -12,7 +12,7 @@ CommandTraits PreviewEdit::traits() const {
   return {.code = "preview_edit",
           .reads = {part::image, part::labels},
           .writes = {part::preview},
-          .needs = edit ? std::vector<Part>{part::image} : std::vector<Part>{},
+          .needs = edit ? Needs{part::image} : Needs{},
           .lane = edit ? Lane::work : Lane::edits,
           .notice = Notice::quiet};
 }

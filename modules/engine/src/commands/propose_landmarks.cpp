@@ -16,6 +16,16 @@ atlas::Evidence evidence(const PatientModel& model) {
   return {{}, model.landmarks.anterior_margin};
 }
 
+Figures figures_of(const atlas::Transfer& made) {
+  Figures figures = {{"atlas_fit_mean_mm", 1e3 * made.mean_distance},
+                     {"atlas_fit_max_mm", 1e3 * made.max_distance},
+                     {"atlas_unusual", made.unusual}};
+  for (const atlas::Proposal& one : made.proposals)
+    figures["atlas_" + std::string(atlas::structure_code(one.structure)) + "_deviation_mm"] =
+        1e3 * one.deviation();
+  return figures;
+}
+
 }  // namespace
 
 const TriangleMesh& fine_liver(const PatientModel& model) {
@@ -37,14 +47,7 @@ Cancellable<Applied> ProposeLandmarks::apply(const CaseState& state, const RunCo
   const PatientModel& model = state[part::model]->model;
   auto made = atlas::transfer(*atlas, fine_liver(model), evidence(model), context);
   if (!made) return {};
-  Applied applied{state};
-  applied.figures["atlas_fit_mean_mm"] = 1e3 * made->mean_distance;
-  applied.figures["atlas_fit_max_mm"] = 1e3 * made->max_distance;
-  applied.figures["atlas_unusual"] = made->unusual;
-  for (const atlas::Proposal& one : made->proposals)
-    applied.figures["atlas_" + std::string(atlas::structure_code(one.structure)) + "_deviation_mm"] =
-        1e3 * one.deviation();
-  applied.notes = made->doubts;
+  Applied applied{state, figures_of(*made), made->doubts};
   applied.state[part::proposals] = std::make_shared<const atlas::Transfer>(std::move(*made));
   return applied;
 }

@@ -7,6 +7,18 @@
 #include "glisson/engine/parts/keeping.h"
 
 namespace glisson::engine {
+namespace {
+
+/// Where the case stands that the copy is of, held if it can be.
+std::shared_ptr<Keeping> keeping_of(const Recoverable& copy, const Keeping* before) {
+  auto keeping = std::make_shared<Keeping>();
+  keeping->folder = case_place(copy.of);
+  keeping->edition = copy.edition;
+  if (std::filesystem::exists(keeping->folder)) hold(*keeping, before);
+  return keeping;
+}
+
+}  // namespace
 
 CommandTraits RecoverCase::traits() const {
   return {.code = "recover_case", .writes = Parts::all(), .notice = Notice::files};
@@ -20,10 +32,7 @@ Cancellable<Applied> RecoverCase::apply(const CaseState& before, const RunContex
   applied.state.path = copy.of;
   applied.keeps_stamps = true;
   if (copy.of.empty()) return applied;
-  auto keeping = std::make_shared<Keeping>();
-  keeping->folder = case_place(copy.of);
-  keeping->edition = copy.edition;
-  if (std::filesystem::exists(keeping->folder)) hold(*keeping, before[part::keeping].get());
+  const auto keeping = keeping_of(copy, before[part::keeping].get());
   if (keeping->writer && !keeping->writer->host.empty())
     applied.notes.push_back("case.open_for_reading " + keeping->writer->told());
   applied.state[part::keeping] = keeping;

@@ -59,9 +59,8 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   registration::Registered& made = examined->registered;
   Applied applied{state, figures_of(*examined), notes_of(state, model, options, *examined)};
   if (made.operations && made.operations != known.prior)
-    applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
-        state[part::model], state[part::landmarks], registration::operation_of(options, model),
-        context.seed(), std::move(made.operations)});
+    keep_operations(applied.state, registration::operation_of(options, model), context.seed(),
+                    std::move(made.operations));
   keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(made.registration));
   return applied;

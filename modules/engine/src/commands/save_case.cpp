@@ -35,6 +35,7 @@ void hold_or_tell(const fs::path& told, Keeping& keeping, const Keeping* before)
 /// and both are kept.
 std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before, bool replaces) {
   auto keeping = std::make_shared<Keeping>();
+  if (before != nullptr) keeping->image = before->image;
   keeping->folder = case_place(wanted);
   const bool is_own = before != nullptr && before->folder == keeping->folder;
   hold_or_tell(wanted, *keeping, before);
@@ -49,6 +50,14 @@ std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before,
   return keeping;
 }
 
+/// Where the person wants it. @throws InputError nowhere has been said yet.
+fs::path wanted_place(const fs::path& path, const CaseState& state) {
+  if (path.empty() && state.path.empty())
+    throw InputError("case", "path", "the case has never been saved",
+                     "Choose a folder NAME.glisson to save it to");
+  return path.empty() ? state.path : path;
+}
+
 }  // namespace
 
 CommandTraits SaveCase::traits() const {
@@ -60,17 +69,12 @@ CommandTraits SaveCase::traits() const {
 }
 
 Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& context) const {
-  fs::path place = path.empty() ? state.path : path;
-  if (place.empty())
-    throw InputError("case", "path", "the case has never been saved",
-                     "Choose a folder NAME.glisson to save it to");
   Applied applied{state};
-  const auto keeping = place_of(place, state[part::keeping].get(), replaces);
-  if (keeping->folder != case_place(place)) {
-    place = keeping->folder;
-    applied.notes.push_back("case.saved_beside " + place.string());
-  }
-  if (const auto& before = state[part::keeping]) keeping->image = before->image;
+  const fs::path wanted = wanted_place(path, state);
+  const auto keeping = place_of(wanted, state[part::keeping].get(), replaces);
+  const bool is_beside = keeping->folder != case_place(wanted);
+  const fs::path& place = is_beside ? keeping->folder : wanted;
+  if (is_beside) applied.notes.push_back("case.saved_beside " + place.string());
   if (!engine::save_case(place, state, context, keeping->image, &applied.notes)) return {};
   keeping->edition = edition_on_disk(keeping->folder);
   applied.state.path = place;

@@ -13,7 +13,7 @@ namespace glisson::engine {
 CommandTraits SetCalibration::traits() const {
   return {.code = "set_calibration",
           .writes = {part::rig},
-          .needs = stereo::is_text_calibration(path) ? std::vector<Part>{part::frame} : std::vector<Part>{},
+          .needs = stereo::is_text_calibration(path) ? Needs{part::frame} : Needs{},
           .lane = Lane::edits,
           .notice = Notice::files};
 }

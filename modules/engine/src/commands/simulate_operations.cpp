@@ -10,6 +10,13 @@
 #include "glisson/engine/parts/tissue.h"
 
 namespace glisson::engine {
+namespace {
+
+Figures figures_of(const registration::OperationPrior& prior) {
+  return {{"operations_simulated", prior.operations}, {"operations_motion_mean_mm", 1e3 * prior.mean_motion}};
+}
+
+}  // namespace
 
 CommandTraits SimulateOperations::traits() const {
   return {.code = "simulate_operations",
@@ -21,21 +28,16 @@ CommandTraits SimulateOperations::traits() const {
 }
 
 Cancellable<Applied> SimulateOperations::apply(const CaseState& state, const RunContext& context) const {
-  Applied applied{state};
-  std::shared_ptr<const registration::OperationPrior> prior;
   const registration::KnownOperations known = known_operations(state, context.seed());
   const registration::OperationOptions options = with_tissue_of(state, *this);
-  if (known.prior && known.options == options) {
-    prior = known.prior;
-  } else {
+  Applied applied{state};
+  if (!known.prior || known.options != options) {
     auto made = registration::simulate_operations(effective_model(state), options, context);
     if (!made) return {};
-    prior = std::make_shared<const registration::OperationPrior>(std::move(*made));
-    applied.state[part::operations] = std::make_shared<const SimulatedOperations>(
-        SimulatedOperations{state[part::model], state[part::landmarks], options, context.seed(), prior});
+    keep_operations(applied.state, options, context.seed(),
+                    std::make_shared<const registration::OperationPrior>(std::move(*made)));
   }
-  applied.figures["operations_simulated"] = prior->operations;
-  applied.figures["operations_motion_mean_mm"] = 1e3 * prior->mean_motion;
+  applied.figures = figures_of(*applied.state[part::operations]->prior);
   return applied;
 }
 

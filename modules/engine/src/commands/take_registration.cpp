@@ -10,6 +10,18 @@
 #include "glisson/registration/refusal.h"
 
 namespace glisson::engine {
+namespace {
+
+/// @throws InputError it was refused.
+OtherRegistration other_of(const CaseState& state) {
+  const OtherRegistration& other = *state[part::other_registration];
+  if (registration::is_refused(other.registration))
+    throw InputError("registration", "the other one", "was refused: what is known contradicts it",
+                     "Register again, from more of the surface");
+  return other;
+}
+
+}  // namespace
 
 CommandTraits TakeRegistration::traits() const {
   const Parts parts = {part::registration, part::other_registration, part::live};
@@ -25,10 +37,7 @@ CommandTraits TakeRegistration::traits() const {
 Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunContext&,
                                              const Services& services) const {
   Follower& follower = follower_of(services);
-  OtherRegistration former = *state[part::other_registration];
-  if (registration::is_refused(former.registration))
-    throw InputError("registration", "the other one", "was refused: what is known contradicts it",
-                     "Register again, from more of the surface");
+  OtherRegistration former = other_of(state);
   auto taken = std::make_shared<const Registration>(std::move(former.registration));
   Applied applied = with_live(state, follower.take(*taken), follower);
   keep_former_registration(applied.state, state);

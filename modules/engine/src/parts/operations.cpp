@@ -159,4 +159,10 @@ registration::KnownOperations known_operations(const CaseState& state, std::uint
   return {state[part::operations]->options, state[part::operations]->prior};
 }
 
+void keep_operations(CaseState& state, const registration::OperationOptions& options, std::uint64_t seed,
+                     std::shared_ptr<const registration::OperationPrior> prior) {
+  state[part::operations] = std::make_shared<const SimulatedOperations>(
+      SimulatedOperations{state[part::model], state[part::landmarks], options, seed, std::move(prior)});
+}
+
 }  // namespace glisson::engine

@@ -42,9 +42,9 @@ enum class Notice { quiet, ordinary, files, unasked };
 struct CommandTraits {
   std::string_view code;  ///< for progress, figures and logs: "segment", "build_model", ...
   Parts reads = {}, writes = {};
-  std::vector<Part> needs = {};  ///< cannot be done without them; what to see to first comes first
-  Parts current = {};            ///< must not be out of date where they are there
-  Parts accepted = {};           ///< must not stand refused
+  Needs needs = {};     ///< cannot be done without them; what to see to first comes first
+  Parts current = {};   ///< must not be out of date where they are there
+  Parts accepted = {};  ///< must not stand refused
   Lane lane = Lane::work;
   Notice notice = Notice::ordinary;
   LiveLane live = LiveLane::none;

@@ -30,8 +30,8 @@ struct Obstacle {
 /// The first of `needs` that is not there; else the first of `current` that is out of date, followed back to
 /// where that begins: made again of an input that is itself out of date, a part would be so as before. Else
 /// the first of `accepted` that stands refused.
-std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>& needs,
-                                 const Parts& current = {}, const Parts& accepted = {});
+std::optional<Obstacle> obstacle(const CaseState& state, const Needs& needs, const Parts& current = {},
+                                 const Parts& accepted = {});
 /// What stands in the way of a command, by its traits.
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command);
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command);
@@ -43,6 +43,6 @@ bool is_refused(const CaseState& state, Part part);
 InputError error_of(const Obstacle& obstacle);
 /// For what is done with a case's parts outside commands. @throws InputError error_of() the first that is
 /// missing.
-void require_parts(const CaseState& state, const std::vector<Part>& needs);
+void require_parts(const CaseState& state, const Needs& needs);
 
 }  // namespace glisson::engine

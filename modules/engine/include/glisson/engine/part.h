@@ -60,6 +60,17 @@ class Parts {
   std::vector<Part> parts_;  ///< ascending, each once
 };
 
+/// A part that something cannot be done without, or another that does as well.
+struct Need {
+  Need(Part its) : part(its), instead(its) {}     // NOLINT: a part is needed
+  Need(const PartType& its) : Need(Part(its)) {}  // NOLINT: a part is needed
+  Part part;                                      ///< what to see to where neither is there
+  Part instead;                                   ///< `part` itself: nothing else does
+};
+using Needs = std::vector<Need>;
+/// `part` is needed, or `instead` of it.
+Need either(Part part, Part instead);
+
 /// Which edition of a part this is, and of which editions of other parts it was made.
 struct Stamp {
   std::uint64_t revision = 0;  ///< 0: absent

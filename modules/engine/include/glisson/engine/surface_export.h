@@ -13,9 +13,6 @@ namespace glisson::engine {
 /// Endings of the formats that surfaces leave in: ".stl", ".ply", ".obj", ".vtp".
 const std::vector<std::string>& surface_endings();
 
-/// Whether there is what surfaces are made of. Either will do, labels or a model: no single part is needed.
-bool has_surfaces(const CaseState& state);
-
 /// The closed surfaces of the liver and of each structure: those of the model where it is there and up to
 /// date, else those that the labels enclose. A file each, `liver`, `portal_vein`, `lesion_1`, ..., LPS
 /// millimetres; nothing in them says whose they are. The folder is made if there is none. All files are
@@ -23,8 +20,8 @@ bool has_surfaces(const CaseState& state);
 /// @param ending one of surface_endings().
 /// @param notes takes what was left out (surfaces_of_labels).
 /// @return the files; empty: cancelled, nothing is written.
-/// @throws InputError unless has_surfaces(); another ending; surfaces in the folder that are not among those
-///   to be written, as they would be taken for this patient's. FileError.
+/// @throws InputError there are neither labels nor a model; another ending; surfaces in the folder that are
+///   not among those to be written, as they would be taken for this patient's. FileError.
 Cancellable<std::vector<std::filesystem::path>> write_case_surfaces(const std::filesystem::path& folder,
                                                                     const std::string& ending,
                                                                     const CaseState& state,

@@ -30,5 +30,8 @@ bool has_operations(const CaseState& state);
 registration::OperationOptions with_tissue_of(const CaseState& state, registration::OperationOptions options);
 /// Those of the model and the landmarks as they are now, of this seed; none: a null prior.
 registration::KnownOperations known_operations(const CaseState& state, std::uint64_t seed);
+/// Keeps them as simulated on the model and the landmarks as they are now.
+void keep_operations(CaseState& state, const registration::OperationOptions& options, std::uint64_t seed,
+                     std::shared_ptr<const registration::OperationPrior> prior);
 
 }  // namespace glisson::engine
