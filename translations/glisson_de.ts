@@ -169,6 +169,18 @@
 <context>
     <name>EditTexts</name>
     <message>
+        <source>A click here cuts %1 ml off: %2.</source>
+        <translation>Ein Klick hier schneidet %1 ml ab: %2.</translation>
+    </message>
+    <message>
+        <source>A click here moves %1 ml: %2 → %3.</source>
+        <translation>Ein Klick hier verschiebt %1 ml: %2 → %3.</translation>
+    </message>
+    <message>
+        <source>A click here makes a vessel of %1 ml.</source>
+        <translation>Ein Klick hier macht ein Gefäß von %1 ml.</translation>
+    </message>
+    <message>
         <source>Paint</source>
         <translation>Malen</translation>
     </message>
@@ -9760,18 +9772,6 @@
     <message>
         <source>%1 ml would change.</source>
         <translation>%1 ml würden sich ändern.</translation>
-    </message>
-    <message>
-        <source>A click here cuts %1 ml off: %2.</source>
-        <translation>Ein Klick hier schneidet %1 ml ab: %2.</translation>
-    </message>
-    <message>
-        <source>A click here moves %1 ml: %2 → %3.</source>
-        <translation>Ein Klick hier verschiebt %1 ml: %2 → %3.</translation>
-    </message>
-    <message>
-        <source>A click here makes a vessel of %1 ml.</source>
-        <translation>Ein Klick hier macht ein Gefäß von %1 ml.</translation>
     </message>
     <message>
         <source>Click the other end. Ctrl adds a point between, Esc drops the way.</source>

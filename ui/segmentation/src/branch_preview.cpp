@@ -4,23 +4,6 @@
 #include "glisson/core/error.h"
 
 namespace glisson::ui {
-namespace {
-
-/// Whether what is shown may stay in sight until it is known what that click would do. One that makes a
-/// vessel is drawn again as the pointer moves; one that moves a branch must move the voxel that the click is
-/// on: along a branch little changes.
-bool stands_for(const BranchPreview::Shown& shown, const LabelMap& labels, const editing::Tool& tool) {
-  if (!shown.problem.empty() || &shown.edit.tool.kind() != &tool.kind()) return false;
-  if (tool.get_if<editing::ReassignBranch>() == nullptr) return true;
-  const auto &moves = shown.edit.tool.as<editing::ReassignBranch>(),
-             &click = tool.as<editing::ReassignBranch>();
-  if (moves.label != click.label || moves.to != click.to) return false;
-  const VolumeGrid& grid = labels.voxels.grid();
-  const Eigen::Vector3i v = grid.index_of(Point<CtFrame>(click.p_in_ct)).array().round().matrix().cast<int>();
-  return grid.contains(v) && shown.result.labels.voxels.at(v) != labels.voxels.at(v);
-}
-
-}  // namespace
 
 Cancellable<BranchPreview::Shown> BranchPreview::compute(const Order& order, const RunContext& context) {
   Shown shown{order.edit, {}, {}};
@@ -34,10 +17,11 @@ Cancellable<BranchPreview::Shown> BranchPreview::compute(const Order& order, con
   return shown;
 }
 
-BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, QObject* parent)
+BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, StandsFor stands_for, QObject* parent)
     : QObject(parent),
       views_(views),
       edit_at_(std::move(edit_at)),
+      stands_for_(std::move(stands_for)),
       computing_(this, compute, [this](const Order& order, const std::shared_ptr<const Shown>& result) {
         // The labels may be others by now; and the pointer may have left the branches.
         if (wanted_ && order.labels == labels_) show(result);
@@ -65,8 +49,12 @@ void BranchPreview::follow() {
     computing_.give({image_, labels_, *wanted_});
   else
     computing_.cancel();
-  // Until a click there is known, the one that is shown stands for it only where it moves the same branch.
-  if (shown_ && !(wanted_ && stands_for(*shown_, *labels_, wanted_->tool))) show(nullptr);
+  if (shown_ && !shown_may_stay()) show(nullptr);
+}
+
+bool BranchPreview::shown_may_stay() const {
+  return wanted_ && shown_->problem.empty() && &shown_->edit.tool.kind() == &wanted_->tool.kind() &&
+         stands_for_(shown_->edit.tool, wanted_->tool, *labels_, shown_->result.labels);
 }
 
 void BranchPreview::show(std::shared_ptr<const Shown> shown) {

@@ -279,15 +279,9 @@ void EditBox::show_region() {
 QString EditBox::text_of(const BranchPreview::Shown& shown) const {
   if (!shown.problem.empty()) return error_text(shown.problem);
   const QString ml = QString::number(session_.ml_of(shown.result.voxels_changed), 'f', 2);
-  const auto* moved = shown.edit.tool.get_if<editing::ReassignBranch>();
-  if (moved == nullptr) {
-    const QString text = tr("A click here makes a vessel of %1 ml.").arg(ml);
-    return shown.result.notes.empty() ? text : text + QLatin1Char('\n') + notes_text(shown.result.notes);
-  }
-  const QString from = structure_text(moved->label);
-  return moved->to == structure::kBackground
-             ? tr("A click here cuts %1 ml off: %2.").arg(ml, from)
-             : tr("A click here moves %1 ml: %2 → %3.").arg(ml, from, structure_text(moved->to));
+  QString text = foretold_text(session_.tool(), shown.edit.tool, ml);
+  if (!shown.result.notes.empty()) text += QLatin1Char('\n') + notes_text(shown.result.notes);
+  return text;
 }
 
 QString EditBox::volumes_text() const {

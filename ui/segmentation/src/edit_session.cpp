@@ -64,6 +64,10 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
   branch_ = new BranchPreview(
       views,
       [this](const PointerPlace& place) { return edit_at(place, QGuiApplication::keyboardModifiers()); },
+      [this](const editing::Tool& shown, const editing::Tool& click, const LabelMap& before,
+             const LabelMap& after) {
+        return tool_ != nullptr && tool_->stands_for(shown, click, before, after);
+      },
       this);
   connect(branch_, &BranchPreview::changed, this, [this] {
     show_preview();

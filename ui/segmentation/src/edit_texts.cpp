@@ -19,6 +19,11 @@ class EditTexts {
   static QString hint(EditTool tool, const EditSettings& settings) {
     return tool == nullptr ? tr("Choose a label and a tool.") : tr(tool->hint(settings));
   }
+  static QString foretold(const Foretold& foretold, const QString& ml) {
+    QString text = tr(foretold.text).arg(ml);
+    for (const Label label : foretold.labels) text = text.arg(structure_text(label));
+    return text;
+  }
   static QString obstacle(EditObstacle obstacle) {
     switch (obstacle) {
       case EditObstacle::none:
@@ -70,6 +75,9 @@ class EditTexts {
 
 QString tool_text(EditTool tool) { return EditTexts::tool(tool); }
 QString tool_hint(EditTool tool, const EditSettings& settings) { return EditTexts::hint(tool, settings); }
+QString foretold_text(EditTool tool, const editing::Tool& click, const QString& ml) {
+  return tool != nullptr && tool->foretells ? EditTexts::foretold(tool->foretells(click), ml) : QString();
+}
 QString obstacle_text(EditObstacle obstacle) { return EditTexts::obstacle(obstacle); }
 QString review_text(ReviewState state) { return EditTexts::review(state); }
 

@@ -12,6 +12,23 @@ struct BranchGoes {
   bool operator==(const BranchGoes&) const = default;
 };
 
+Foretold foretells(const editing::Tool& click) {
+  const auto& moved = click.as<editing::ReassignBranch>();
+  if (moved.to == structure::kBackground)
+    return {QT_TRANSLATE_NOOP("EditTexts", "A click here cuts %1 ml off: %2."), {moved.label}};
+  return {QT_TRANSLATE_NOOP("EditTexts", "A click here moves %1 ml: %2 → %3."), {moved.label, moved.to}};
+}
+
+/// It must move the voxel that the click is on: along a branch little changes.
+bool stands_for(const editing::Tool& shown, const editing::Tool& click, const LabelMap& before,
+                const LabelMap& after) {
+  const auto &moves = shown.as<editing::ReassignBranch>(), &at = click.as<editing::ReassignBranch>();
+  if (moves.label != at.label || moves.to != at.to) return false;
+  const VolumeGrid& grid = before.voxels.grid();
+  const Eigen::Vector3i v = grid.index_of(Point<CtFrame>(at.p_in_ct)).array().round().matrix().cast<int>();
+  return grid.contains(v) && after.voxels.at(v) != before.voxels.at(v);
+}
+
 }  // namespace
 
 const WindowTool& move_branch_window_tool() {
@@ -44,6 +61,8 @@ const WindowTool& move_branch_window_tool() {
       const Label to = s.of<BranchGoes>().off != at.invert ? structure::kBackground : other;
       return editing::ReassignBranch{at.clicked, to, at.p.xyz};
     };
+    tool.foretells = foretells;
+    tool.stands_for = stands_for;
     return tool;
   }();
   return kTool;

@@ -41,6 +41,9 @@ const WindowTool& vessel_path_window_tool() {
       way.path = path;
       return way;
     };
+    tool.foretells = [](const editing::Tool&) -> Foretold {
+      return {QT_TRANSLATE_NOOP("EditTexts", "A click here makes a vessel of %1 ml.")};
+    };
     return tool;
   }();
   return kTool;

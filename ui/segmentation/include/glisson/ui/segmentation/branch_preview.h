@@ -8,7 +8,6 @@
 #include <string>
 
 #include "glisson/editing/edit.h"
-#include "glisson/editing/tools/reassign.h"
 #include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/common/view_state.h"
 
@@ -21,6 +20,9 @@ class BranchPreview : public QObject {
  public:
   /// The edit that a click there would be; empty: a click there does nothing.
   using EditAt = std::function<std::optional<editing::Edit>(const PointerPlace& place)>;
+  /// WindowTool::stands_for of the tool that clicks.
+  using StandsFor = std::function<bool(const editing::Tool& shown, const editing::Tool& click,
+                                       const LabelMap& before, const LabelMap& after)>;
   struct Shown {
     editing::Edit edit;
     editing::Edited result;  ///< empty labels where there is a problem
@@ -28,7 +30,7 @@ class BranchPreview : public QObject {
   };
 
   /// @param edit_at is asked in the window's thread, while there are an image and labels.
-  BranchPreview(ViewState& views, EditAt edit_at, QObject* parent = nullptr);
+  BranchPreview(ViewState& views, EditAt edit_at, StandsFor stands_for, QObject* parent = nullptr);
 
   /// Whose branches; null: nothing is shown. Other labels put away what is shown until the pointer moves.
   void set_case(std::shared_ptr<const Image> image, std::shared_ptr<const LabelMap> labels);
@@ -47,10 +49,12 @@ class BranchPreview : public QObject {
   /// On the thread.
   static Cancellable<Shown> compute(const Order& order, const RunContext& context);
   void follow();
+  bool shown_may_stay() const;  ///< until it is known what is wanted
   void show(std::shared_ptr<const Shown> shown);
 
   ViewState& views_;
   EditAt edit_at_;
+  StandsFor stands_for_;
   std::shared_ptr<const Image> image_;
   std::shared_ptr<const LabelMap> labels_;
   std::optional<editing::Edit> wanted_;

@@ -10,6 +10,8 @@ namespace glisson::ui {
 QString tool_text(EditTool tool);
 /// What to do with the mouse, in one line.
 QString tool_hint(EditTool tool, const EditSettings& settings);
+/// What a click would do: WindowTool::foretells. @param ml the volume that changes. Empty: it says nothing.
+QString foretold_text(EditTool tool, const editing::Tool& click, const QString& ml);
 QString obstacle_text(EditObstacle obstacle);
 QString review_text(ReviewState state);
 /// A step of the history: "Paint, 10 mm, Portal vein" (the brush's diameter).

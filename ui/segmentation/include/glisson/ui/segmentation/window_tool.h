@@ -117,6 +117,13 @@ struct WholeVolume {
   const std::vector<Label>& present;
 };
 
+/// What a click would do, in words: a sentence for translators in context EditTexts, where %1 is the volume
+/// that changes in ml, and %2 and so on are the names of `labels`.
+struct Foretold {
+  const char* text = "";
+  std::vector<Label> labels = {};
+};
+
 /// A tool of the window: its button, its page, and what the mouse does with it. One a file (tools/NAME.cpp).
 struct WindowTool {
   /// What shows at the pointer before it clicks.
@@ -155,6 +162,15 @@ struct WindowTool {
   /// What a row of clicks does; path: CT frame, metres, two points or more. Ctrl adds a point, a click
   /// without it is the last. Empty function: each click stands alone.
   std::function<editing::Tool(const EditSettings&, const Points& path)> chain = {};
+  /// What is said of a click whose outcome is shown before it happens. Empty function: the tool shows none.
+  std::function<Foretold(const editing::Tool& click)> foretells = {};
+  /// Whether what is shown of one click may stay in sight until it is known what another would do.
+  /// @param after the labels that `shown` makes of `before`.
+  std::function<bool(const editing::Tool& shown, const editing::Tool& click, const LabelMap& before,
+                     const LabelMap& after)>
+      stands_for = [](const editing::Tool&, const editing::Tool&, const LabelMap&, const LabelMap&) {
+        return true;  // it is drawn again as the pointer moves
+      };
   /// What it does to the whole volume. Empty function: it works where the mouse is.
   std::function<editing::Tool(const EditSettings&, const WholeVolume&)> whole = {};
 };
