@@ -154,6 +154,8 @@ experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgume
   if (arguments.has("clouds")) output.digits = numbered(arguments.value("clouds")).digits();
   if (argument.surface) output.ending = "vtp";
   output.unit = argument.unit;
+  const auto rate = session.figures.find("video_frames_per_second");
+  if (rate != session.figures.end()) output.frames_per_second = rate->second;
   output.write_mesh = [&](const fs::path& path, const Registration& registration, const NamedArrays& said) {
     write_deformed(path, argument, session, registration, said);
   };

@@ -14,6 +14,7 @@ class TrackRecordTest : public QObject {
   Q_OBJECT
  private slots:
   void MeshesTellOfTheRegistrationThatIsFollowed();
+  void AFrameIsLateByTheSourcesOwnRate();
 };
 
 void TrackRecordTest::MeshesTellOfTheRegistrationThatIsFollowed() {
@@ -41,6 +42,26 @@ void TrackRecordTest::MeshesTellOfTheRegistrationThatIsFollowed() {
   QCOMPARE(written.size(), std::size_t{2});
   QCOMPARE(written[0].doubts, first.doubts);
   QCOMPARE(written[1].doubts, second.doubts);
+}
+
+/// 25 ms: in time for 30 frames a second, too late for 60.
+void TrackRecordTest::AFrameIsLateByTheSourcesOwnRate() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  Registration start;
+  start.camera_from_ct = phantom::view();
+  start.nodes_in_camera = phantom::view().apply(model.mesh.vertices);
+  OverlayFrame overlay;
+  overlay.milliseconds = 25.0;
+  for (const auto& [rate, late] : {std::pair(30.0, 0.0), std::pair(60.0, 1.0)}) {
+    const TemporaryFolder folder;
+    TrackOutput output;
+    output.folder = folder.path();
+    output.frames_per_second = rate;
+    TrackRecord record(model, start, output);
+    record.add(0, overlay);
+    record.finish(true);
+    QCOMPARE(record.figures().at("frames_late"), late);
+  }
 }
 
 QTEST_GUILESS_MAIN(TrackRecordTest)

@@ -31,7 +31,7 @@ TrackRecord::TrackRecord(const PatientModel& model, Registration start, TrackOut
       start_(std::move(start)),
       carried_(start_),
       output_(std::move(output)),
-      evaluation_(model_, start_, 30.0) {}
+      evaluation_(model_, start_, output_.frames_per_second) {}
 
 void TrackRecord::add(int number, const OverlayFrame& overlay) {
   evaluation_.add(overlay);

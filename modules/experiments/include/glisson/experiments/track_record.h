@@ -23,6 +23,7 @@ struct TrackOutput {
   int digits = 5;                            ///< of the numbers in the meshes' names
   std::string ending = "vtu";                ///< of the meshes
   LengthUnit unit = LengthUnit::millimetre;  ///< of the meshes, the record and the truth
+  double frames_per_second = 30.0;           ///< of the source: a frame that takes longer is late
   /// Writes the organ where the registration puts it, with more field data.
   std::function<void(const std::filesystem::path&, const Registration&, const NamedArrays&)> write_mesh;
   /// What a person is to do about a reason, in words; empty: nothing. May be absent.
