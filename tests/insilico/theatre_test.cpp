@@ -90,6 +90,7 @@ class TheatreTest : public QObject {
   void TheScopeTurnsAboutItsTrocar() {
     constexpr int kFrame = 7;
     const Points still = theatre_->truth(kFrame).nodes_in_camera, first = theatre_->truth(0).nodes_in_camera;
+    const Picture standing = theatre_->render(kFrame).left;
     theatre_->move_scope({.pivot_deg = 8.0, .roll_deg = 12.0, .period_s = 2.0, .trocar_mm = 140.0});
     const Points turned = theatre_->truth(kFrame).nodes_in_camera;
     QVERIFY((theatre_->truth(0).nodes_in_camera.array() == first.array()).all());
@@ -118,7 +119,10 @@ class TheatreTest : public QObject {
     const auto away = fit_rigid<CameraFrame, CameraFrame>(still, theatre_->truth(kFrame).nodes_in_camera);
     QVERIFY(away.translation.z() > 1e-3 && away.translation.head<2>().norm() < 1e-9);
     QVERIFY_EXCEPTION_THROWN(theatre_->move_scope({.pivot_deg = 99.0}), InputError);
+    QVERIFY(*theatre_->render(kFrame).left.bytes != *standing.bytes);
+    // A scope that stands again sees what it saw, organ and wall.
     theatre_->move_scope({});
+    QVERIFY(*theatre_->render(kFrame).left.bytes == *standing.bytes);
   }
 
   void BreathingAndHeartbeatMoveTheLiverSmoothly() {

@@ -94,6 +94,7 @@ struct Theatre::Impl {
   mutable PaintedSurface painted, wall;
   mutable TriangleMesh surface;
   mutable int frame = -1;
+  mutable bool wall_is_moved = false;  ///< it stands as a scope that moved has put it
   std::unique_ptr<Painter> painter;
 
   Points nodes(int number) const {
@@ -110,6 +111,7 @@ struct Theatre::Impl {
     wall = painted_wall(now);
     wall.rest_mm = rest;
     caster->set_wall(now);
+    wall_is_moved = moves();
   }
   /// @pre the mutex is held.
   void stage(int number) const {
@@ -121,7 +123,7 @@ struct Theatre::Impl {
     painted.normals = shading_normals(surface, neighbours, kNormalRings).cast<float>();
     painted.camera_from_rest =
         fit_rigid<CameraFrame, CtFrame>(liver.vertices, surface.vertices).rotation.cast<float>();
-    if (moves()) stage_wall(number);
+    if (moves() || wall_is_moved) stage_wall(number);
     frame = number;
   }
   void set_stage();
