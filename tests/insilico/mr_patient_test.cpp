@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/insilico/patient.h"
 
 using namespace glisson;
 using insilico::MrOptions;
@@ -50,6 +51,7 @@ class MrPatientTest : public QObject {
   void VenousT1OrdersTissuesAsAVenousCt();
   void WithoutContrastAndOnT2BloodIsDark();
   void NoiseAndCoilsAreAsAskedFor();
+  void ItsTruthIsThatOfTheSamePatientsCt();
   void TheSameOptionsGiveTheSameBits();
   void BadOptionsAreRefused();
 };
@@ -90,6 +92,19 @@ void MrPatientTest::NoiseAndCoilsAreAsAskedFor() {
   MrOptions noisy = even;
   noisy.liver_snr = 8.0;
   QVERIFY(inside(coarse(noisy), structure::kParenchyma).deviation > 2.0 * quiet.deviation);
+}
+
+void MrPatientTest::ItsTruthIsThatOfTheSamePatientsCt() {
+  MrOptions options;
+  options.spacing_mm = {4.0, 4.0, 4.0};
+  insilico::PatientOptions of_ct;
+  of_ct.shape_seed = options.shape_seed;
+  of_ct.spacing_mm = options.spacing_mm;
+  of_ct.surface_spacing_mm = 4.0;
+  const LabelVolume mr = insilico::make_mr_patient(options, RunContext()).value().truth.voxels;
+  const LabelVolume ct = insilico::make_patient(of_ct, RunContext()).value().truth.voxels;
+  QVERIFY(mr.grid().same_as(ct.grid()));
+  QVERIFY(mr.dense() == ct.dense());
 }
 
 void MrPatientTest::TheSameOptionsGiveTheSameBits() {

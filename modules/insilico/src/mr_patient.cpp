@@ -53,10 +53,9 @@ double noise(std::uint64_t seed, std::uint64_t voxel, std::uint64_t channel) {
   return std::sqrt(-2.0 * std::log(a)) * std::cos(2.0 * std::numbers::pi * b);
 }
 
-/// Each slice is the mean of its thin ones; its label is that of the first.
+/// Each slice is the mean of its thin ones.
 VolumeGrid thickened(const VolumeGrid& thin, const std::vector<std::int16_t>& signals,
-                     const std::vector<Label>& labels, std::vector<float>& thick,
-                     std::vector<Label>& thick_labels) {
+                     std::vector<float>& thick) {
   VolumeGrid grid = thin;
   grid.size.z() /= kThin;
   grid.spacing_mm.z() *= kThin;
@@ -68,7 +67,6 @@ VolumeGrid thickened(const VolumeGrid& thin, const std::vector<std::int16_t>& si
         for (int n = 0; n < kThin; ++n)
           sum += signals[static_cast<std::size_t>(thin.offset({i, j, kThin * k + n}))];
         thick.push_back(sum / kThin);
-        thick_labels.push_back(labels[static_cast<std::size_t>(thin.offset({i, j, kThin * k}))]);
       }
   return grid;
 }
@@ -111,23 +109,25 @@ Cancellable<MrPatient> make_mr_patient(const MrOptions& options, const RunContex
   const Vec thin(options.spacing_mm.x(), options.spacing_mm.y(), options.spacing_mm.z() / kThin);
   Canvas canvas(ct_grid(thin), tissue::kAir,
                 [&](double hounsfield, bool bone) { return unit * signals(hounsfield, bone); });
-  std::vector<Label> labels;
+  std::vector<Label> of_thin;  // none of their slices lies in the middle of one of the MRI's
   if (!paint_trunk(canvas, anatomy->shape, context.part(0.2, 0.5))) return {};
   if (!paint_organs(canvas, anatomy->shape, context.part(0.5, 0.7))) return {};
-  if (!paint_liver(canvas, *anatomy, labels, context.part(0.7, 0.9))) return {};
-  context.progress(0.9, "patient.scan");
+  if (!paint_liver(canvas, *anatomy, of_thin, context.part(0.7, 0.85))) return {};
+  context.progress(0.85, "patient.scan");
   // A Fourier image's point spread is about a voxel wide (1.2 between the halves of its height).
   const std::vector<std::int16_t> sharp = scan(canvas, 0.5 * options.spacing_mm.x(), 0.0, options.shape_seed);
   std::vector<float> thick;
-  std::vector<Label> thick_labels;
   MrPatient patient;
-  patient.mr.grid = thickened(canvas.grid(), sharp, labels, thick, thick_labels);
+  patient.mr.grid = thickened(canvas.grid(), sharp, thick);
   patient.mr.modality = Modality::mr;
   patient.mr.description = "Synthetic patient " + std::to_string(options.shape_seed) + ", MRI";
   patient.mr.voxels =
       std::make_shared<const std::vector<std::int16_t>>(received(patient.mr.grid, thick, options));
-  patient.truth = {LabelVolume(patient.mr.grid, thick_labels), label_infos(anatomy->lesions.size())};
-  if (context.cancelled()) return {};
+  // The truth at the middles of its voxels, as a CT's.
+  Canvas plain(patient.mr.grid, tissue::kAir);
+  std::vector<Label> labels;
+  if (!paint_liver(plain, *anatomy, labels, context.part(0.9, 1.0))) return {};
+  patient.truth = {LabelVolume(patient.mr.grid, labels), label_infos(anatomy->lesions.size())};
   context.progress(1.0, "patient.scan");
   return patient;
 }
