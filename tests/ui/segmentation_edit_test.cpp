@@ -266,6 +266,17 @@ void SegmentationEditTest::TouchingTreesAreListedAndGoneTo() {
   };
   QVERIFY(std::abs(shown(Plane::sagittal)) < 6e-3);  // the foot of the twig
   QVERIFY(std::abs(shown(Plane::coronal) + 0.0105) < 5e-3);
+  // Of other labels nothing is listed until they have been looked at.
+  ui::EngineBridge& engine = window_->engine();
+  const std::shared_ptr<const LabelMap> former = engine.state()[part::labels];
+  std::optional<int> listed;
+  const QMetaObject::Connection looks = connect(&engine, &ui::EngineBridge::case_changed, this, [&] {
+    if (!listed && engine.state()[part::labels] != former) listed = list->count();
+  });
+  engine.post(engine::ImportLabels{folder_->path() / "labels.seg.nrrd", {}});
+  QVERIFY(settle());
+  disconnect(looks);
+  QCOMPARE(listed.value(), 0);
   press("tool_paint");
   QVERIFY(!list->isVisible());
 }

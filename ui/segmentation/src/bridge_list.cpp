@@ -60,19 +60,17 @@ void BridgeList::order() {
   const auto& labels = engine_.state()[part::labels];
   if (!isVisible() || labels == wanted_) return;
   wanted_ = labels;
+  list_->clear();  // places of the former labels, or of another patient's
+  places_.clear();
   state_->setText(labels ? tr("Looking for places where the trees touch…") : QString());
-  if (labels) {
+  if (labels)
     looking_.give_instead(labels);
-  } else {
+  else
     looking_.cancel();
-    list_->clear();
-  }
 }
 
 void BridgeList::accept(const std::shared_ptr<const LabelMap>& of, const Found& found) {
   if (of != wanted_) return;  // newer labels are being looked at
-  list_->clear();
-  places_.clear();
   for (const editing::Bridge& bridge : found.bridges) {
     list_->addItem(tr("The trees touch: %1 mm²").arg(bridge.contact_mm2, 0, 'f', 0));
     places_.push_back(bridge.p_in_ct);
