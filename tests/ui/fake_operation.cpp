@@ -199,6 +199,7 @@ Cancellable<engine::Applied> FakeOperation::apply(const engine::CaseState& state
   if (const auto* accept = command.as<engine::AcceptRegistration>()) return accept->apply(state, context);
   if (const auto* choose = command.as<engine::ChooseRival>()) return choose->apply(state, context);
   if (const auto* undo = command.as<engine::UndoRegistration>()) return undo->apply(state, context);
+  if (const auto* open = command.as<engine::OpenCase>()) return open->apply(state, context);
   if (const auto* keep = command.as<engine::KeepCopy>()) {
     if (!work(context, "case.write")) return {};
     return keep->apply(state, context);

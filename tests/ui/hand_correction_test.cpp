@@ -4,7 +4,11 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/correction_box.h"
 #include "glisson/ui/guidance/recording_model.h"
@@ -39,7 +43,10 @@ class HandCorrectionTest : public QObject {
   void ARefusedDragSaysWhyAndChangesNothing();
   void AFrameThatFailsWhileTheHandHoldsEndsTheDrag();
   void EscapeLeavesNothing();
+  void AHandThatHasGivenUpMovesNothing();
   void NothingIsCorrectedOfAFormerFrame();
+  void FormerFramesAreNotDrawnByAnotherCalibration();
+  void WhatWasSaidAndChosenIsOfItsCase();
   void CorrectionsStandBesideTheRecording();
 
  private:
@@ -192,6 +199,21 @@ void HandCorrectionTest::EscapeLeavesNothing() {
   QCOMPARE(standing(), std::size_t{0});
 }
 
+void HandCorrectionTest::AHandThatHasGivenUpMovesNothing() {
+  QTest::mousePress(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(0.0));
+  QTest::qWait(300);
+  move(10.0);
+  QVERIFY(!engine().tasks().empty());  // a piece is on its way
+  guidance().correction.give_up();
+  move(20.0);  // the button is still down
+  QVERIFY(!guidance().correction.line.value());
+  QTest::mouseRelease(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(20.0));
+  QVERIFY(!guidance().correction.line.value());
+  QTRY_VERIFY(engine().tasks().empty());
+  QTRY_COMPARE(standing(), std::size_t{0});
+  QVERIFY(guidance().correction.record().empty());
+}
+
 void HandCorrectionTest::NothingIsCorrectedOfAFormerFrame() {
   QVERIFY(guidance().correction.is_offered);
   QTRY_VERIFY(guidance().review.is_offered);
@@ -200,6 +222,29 @@ void HandCorrectionTest::NothingIsCorrectedOfAFormerFrame() {
   QVERIFY(!guidance().correction.grab({150.0, 90.0}));
   guidance().review.go_live();
   QTRY_VERIFY(guidance().correction.is_offered);
+}
+
+void HandCorrectionTest::FormerFramesAreNotDrawnByAnotherCalibration() {
+  QTRY_VERIFY(guidance().review.is_offered);
+  guidance().playback.stop();
+  QTRY_VERIFY(!engine().snapshot()->tracking);
+  QVERIFY(guidance().review.is_offered);
+  case_->operation->rig.left.matrix(0, 0) *= 1.2;
+  engine().post(engine::SetCalibration{"scope.yml"});
+  QTRY_VERIFY(!guidance().review.is_offered);
+}
+
+void HandCorrectionTest::WhatWasSaidAndChosenIsOfItsCase() {
+  drag(12.0, Qt::ShiftModifier);
+  guidance().live.choose(structure::kFirstLesion);
+  QVERIFY(!guidance().correction.said.value().isEmpty());
+  const std::filesystem::path other = case_->folder->path() / "other.glisson";
+  QVERIFY(engine::save_case(other, {}, RunContext()));
+  engine().post(engine::OpenCase{other});
+  QTRY_VERIFY(engine().tasks().empty());
+  QTRY_VERIFY(!engine().state()[part::model]);
+  QCOMPARE(guidance().correction.said.value(), QString());
+  QCOMPARE(guidance().live.chosen.value(), Label{0});
 }
 
 void HandCorrectionTest::CorrectionsStandBesideTheRecording() {

@@ -27,6 +27,10 @@ const engine::OtherRegistration* AgainModel::other() const {
 }
 
 void AgainModel::read_case() {
+  if (const std::uint64_t number = engine_.snapshot()->case_number; number != said_of_) {
+    said_of_ = number;
+    say({});
+  }
   is_offered = playback_.is_playing.value();
   read_other();
 }

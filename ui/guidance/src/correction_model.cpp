@@ -35,6 +35,10 @@ CorrectionModel::CorrectionModel(EngineBridge& engine, PlaybackModel& playback, 
 const engine::LiveState* CorrectionModel::live() const { return engine_.state()[part::live].get(); }
 
 void CorrectionModel::read_case() {
+  if (const std::uint64_t number = engine_.snapshot()->case_number; number != said_of_) {
+    said_of_ = number;
+    say({});
+  }
   is_offered = playback_.is_playing && !review_.is_reviewing;
   if (!is_offered) {
     is_correcting = false;
@@ -87,14 +91,14 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
 }
 
 void CorrectionModel::drag_to(const Eigen::Vector2d& pixel) {
-  if (!held_ || ends_) return;
+  if (!held_ || ends_ || gives_up_) return;
   held_->to = pixel;
   line = Line{line.value()->from, pixel};
   if (!piece_ && since_piece_.elapsed() >= kPieceEvery) send_piece(false);
 }
 
 void CorrectionModel::let_go(const Eigen::Vector2d& pixel) {
-  if (!held_ || ends_) return;
+  if (!held_ || ends_ || gives_up_) return;
   if (!has_arrived_ && !piece_ && (pixel - line.value()->from).norm() < kLeast) return give_up();
   held_->to = pixel;
   ends_ = true;

@@ -94,6 +94,11 @@ OverlayJob LiveViewModel::make_job() {
 }
 
 void LiveViewModel::read_case() {
+  if (const std::uint64_t number = engine_.snapshot()->case_number; number != interest_of_) {
+    interest_of_ = number;
+    interest_ = {};  // another patient's lesion is not chosen because one of the former was
+    chosen = 0;
+  }
   const bool tracking = playback_.is_tracking;
   // What is still being painted is not live, or of the case as it was, or of another one.
   const bool is_still = !tracking && !playback_.is_frozen;

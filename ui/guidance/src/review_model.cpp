@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
 
 namespace glisson::ui {
 
@@ -28,9 +31,16 @@ void ReviewModel::say_runs() {
 }
 
 void ReviewModel::read_case() {
-  const auto& now = engine_.state()[part::registration];
-  if (now == registration_) return;
-  registration_ = now;
+  // All that a former frame is drawn with: by another calibration or model it would not be as it was
+  // followed.
+  const engine::CaseState& now = engine_.state();
+  const bool is_the_same = now[part::registration] == registration_ && now[part::rig] == rig_ &&
+                           now[part::model] == model_ && now[part::landmarks] == landmarks_;
+  if (is_the_same) return;
+  registration_ = now[part::registration];
+  rig_ = now[part::rig];
+  model_ = now[part::model];
+  landmarks_ = now[part::landmarks];
   leave();
   store_.clear();
 }

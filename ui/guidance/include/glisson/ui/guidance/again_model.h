@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QProperty>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ class AgainModel : public QObject {
   Couplings couplings_;
   std::optional<engine::CommandId> registering_, exchanging_;
   std::vector<std::string> record_;
+  std::uint64_t said_of_ = 0;  ///< the case's number
   registration::Method method_ = registration::Method::automatic;
 };
 

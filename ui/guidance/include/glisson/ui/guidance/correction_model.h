@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QProperty>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +76,7 @@ class CorrectionModel : public QObject {
   bool gives_up_ = false;                     ///< what of the gesture has arrived is to be taken back
   bool has_arrived_ = false;                  ///< a piece of the gesture has
   int gesture_ = 0;
+  std::uint64_t said_of_ = 0;  ///< the case's number
   std::vector<std::string> record_;
 };
 

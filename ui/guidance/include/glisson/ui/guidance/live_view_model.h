@@ -6,6 +6,7 @@
 #include <QProperty>
 #include <QTimer>
 #include <QVariant>
+#include <cstdint>
 #include <deque>
 #include <optional>
 
@@ -126,7 +127,8 @@ class LiveViewModel : public QObject {
   Couplings couplings_;
   scene::OverlayStyle style_;
   scene::OverlayInterest interest_;
-  OverlayFrame shown_;  ///< of the picture on the screen
+  std::uint64_t interest_of_ = 0;  ///< the case's number
+  OverlayFrame shown_;             ///< of the picture on the screen
   QTimer freshness_;
   QElapsedTimer clock_, since_painted_, since_figures_;
   std::deque<qint64> painted_at_;  ///< milliseconds

@@ -4,8 +4,12 @@
 #include <QObject>
 #include <QProperty>
 #include <QTimer>
+#include <memory>
 #include <vector>
 
+#include "glisson/geometry/camera.h"
+#include "glisson/model/build.h"
+#include "glisson/patient/patient_model.h"
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/guidance/moment_store.h"
 #include "glisson/ui/guidance/playback_model.h"
@@ -70,6 +74,9 @@ class ReviewModel : public QObject {
   MomentStore store_;
   std::vector<MomentStore::Entry> entries_;
   std::shared_ptr<const Registration> registration_;
+  std::shared_ptr<const StereoRig> rig_;
+  std::shared_ptr<const model::BuiltModel> model_;
+  std::shared_ptr<const Landmarks> landmarks_;
   QTimer timer_;
   double speed_ = 1.0;
   Couplings couplings_;
