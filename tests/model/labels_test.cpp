@@ -91,6 +91,7 @@ class LabelsTest : public QObject {
   void EveryOrientationGivesTheSameModel();
   void SameInputGivesTheSameBits();
   void GivenRootIsTaken();
+  void ARootThatIsGivenTwiceMakesOneTree();
   void GivenRootFarAwayIsRefused();
   void NoLiverIsRefused();
   void TwoLargePiecesAreRefused();
@@ -260,6 +261,16 @@ void LabelsTest::GivenRootIsTaken() {
   options.portal_root = in_ct(map_, {40, 62, 75}).transpose();  // the left branch's tip
   const auto built = model::build_from_labels(map_, options, RunContext());
   QVERIFY((built->model.vessels[0].nodes.row(0) - options.portal_root).norm() < 4e-3);
+}
+
+void LabelsTest::ARootThatIsGivenTwiceMakesOneTree() {
+  model::ModelOptions options = quick();
+  options.portal_root = in_ct(map_, {40, 62, 75}).transpose();
+  const auto once = model::build_from_labels(map_, options, RunContext());
+  options.portal_root.conservativeResize(2, 3);
+  options.portal_root.row(1) = options.portal_root.row(0);
+  const auto twice = model::build_from_labels(map_, options, RunContext());
+  QCOMPARE(twice->model.vessels.size(), once->model.vessels.size());
 }
 
 void LabelsTest::GivenRootFarAwayIsRefused() {

@@ -90,7 +90,8 @@ std::vector<std::vector<int>> roots_by_piece(const std::vector<Piece>& pieces, c
       throw InputError("roots", structure_name(structure) + " root " + std::to_string(r + 1),
                        "lies " + shown(1e3 * nearest) + " mm from the vessel",
                        "Place it on the vessel's entrance");
-    roots[piece].push_back(voxel);
+    std::vector<int>& own = roots[piece];
+    if (std::find(own.begin(), own.end(), voxel) == own.end()) own.push_back(voxel);  // one tree a voxel
   }
   return roots;
 }
