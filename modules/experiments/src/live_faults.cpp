@@ -164,6 +164,7 @@ void add_stale_views(std::vector<LiveFault>& faults, int onset, std::uint64_t se
     if (k >= onset) std::swap(frame.left, frame.right);
     return frame;
   });
+  faults.back().swapped_from = onset;
   add("black", [=](const Film& film, int k) {
     if (k < onset) return at(film, k);
     return both(at(film, k), [](cv::Mat& picture, bool) { picture.setTo(cv::Scalar::all(3)); });
@@ -286,6 +287,7 @@ void add_foreign(std::vector<LiveFault>& faults) {
     return frame;
   };
   faults.push_back(shown("mirrored", mirrored));
+  faults.back().is_mirrored = true;
   const auto add = [&](const char* name, const std::function<StereoRig(const StereoRig&)>& calibration) {
     LiveFault fault;
     fault.name = name;

@@ -31,10 +31,13 @@ struct LiveFault {
   std::function<StereoRig(const StereoRig&)> calibration;
   /// The film is another one: of a laparoscope in a hand, of an organ that is lifted, of another patient.
   bool scope_moves = false, is_lifted = false, other_patient = false;
-  bool is_sound = false;  ///< not a fault
-  int every = 1;          ///< only each second (third ...) frame arrives
+  bool is_mirrored = false;  ///< what is shown is the organ's mirror image: any overlay on it is wrong
+  bool is_sound = false;     ///< not a fault
+  int every = 1;             ///< only each second (third ...) frame arrives
   /// From this frame on the laparoscope is in a hand, elsewhere: the film is the other one. -1: never.
   int elsewhere_from = -1;
+  /// From this frame on the left picture shows what the right camera sees. -1: never.
+  int swapped_from = -1;
 };
 
 /// All of the table, the first of them none.

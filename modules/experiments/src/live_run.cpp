@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/guidance/tracker.h"
+#include "live_truth.h"
 
 namespace glisson::experiments {
 namespace {
@@ -14,8 +15,7 @@ namespace {
 /// Metres, of each coordinate of a lesion's centre: what a good registration leaves. It is what the program
 /// believes of its start, also of a wrong one.
 constexpr double kStartSigma = 1.5e-3;
-constexpr double kNowhere = 0.1;  ///< metres: the error where the organ is not in the picture at all
-constexpr int kDriftEvery = 6;    ///< frames
+constexpr int kDriftEvery = 6;  ///< frames
 
 /// A part of the organ, to one side, lies nearer to the lens than the start has it.
 Points bent_away(Points nodes, double by) {
@@ -53,13 +53,18 @@ class Shown {
   }
   /// Largest distance, metres.
   double error(const Points& found, int k) const {
-    if (fault_.other_patient) return kNowhere;
-    return (found - truth(k)).rowwise().norm().maxCoeff();
+    if (shows_another_organ(fault_)) return kNowhere;
+    double most = 0.0;
+    for (Eigen::Index i = 0; i < found.rows(); ++i)
+      most = std::max(
+          most, drawn_error(fault_, stage_.rig, k, found.row(i).transpose(), truth(k).row(i).transpose()));
+    return most;
   }
   double error(const LesionVerdict& verdict, int k) const {
     const auto at = std::find(stage_.lesions.begin(), stage_.lesions.end(), verdict.lesion);
-    if (fault_.other_patient || at == stage_.lesions.end()) return kNowhere;
-    return (verdict.centre.transpose() - truth(k).row(at - stage_.lesions.begin())).norm();
+    if (shows_another_organ(fault_) || at == stage_.lesions.end()) return kNowhere;
+    return drawn_error(fault_, stage_.rig, k, verdict.centre,
+                       truth(k).row(at - stage_.lesions.begin()).transpose());
   }
 
  private:

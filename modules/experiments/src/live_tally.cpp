@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "glisson/core/statistics.h"
+#include "live_truth.h"
 #include "of_none.h"
 
 namespace glisson::experiments {
@@ -37,7 +38,7 @@ std::string row(const std::string& name, const FaultTally& tally) {
 
 bool has_right_start(const LiveFault& fault) {
   return fault.start_turn.isIdentity() && fault.start_shift.isZero() && fault.start_lift == 0.0 &&
-         fault.drift.isZero() && !fault.calibration && !fault.other_patient;
+         fault.drift.isZero() && !fault.calibration && !shows_another_organ(fault);
 }
 
 }  // namespace
