@@ -75,6 +75,7 @@ HandledLoads::HandledLoads(const BoundarySurface& surface, const Landmarks& land
   switch (options.handling) {
     case Handling::lifted: {
       const Points& margin = landmarks.anterior_margin;
+      if (margin.rows() == 0) throw NumericalError("This liver has no margin by which a tool could lift it.");
       // Not at the ends of the line; either lobe.
       const auto count = static_cast<double>(margin.rows() - 1);
       const auto at = static_cast<Eigen::Index>(std::lround(count * (0.15 + 0.7 * hand.uniform())));
