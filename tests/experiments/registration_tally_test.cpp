@@ -44,6 +44,7 @@ class RegistrationTallyTest : public QObject {
  private slots:
   void WhatDidNotHappenMeetsNoAim();
   void AMethodThatWasNotTriedHasNoError();
+  void MethodsAreComparedOnTheSameRegistrations();
   void WhatIsWrittenIsReadAgain();
 };
 
@@ -63,6 +64,18 @@ void RegistrationTallyTest::AMethodThatWasNotTriedHasNoError() {
   QCOMPARE(proof.figures.at("registration_validation_20_rigid_mean_mm"), 8.0);
   QCOMPARE(proof.table[2],
            std::string("lifted         20       1     5.00         -      8.00       5.00        0"));
+}
+
+void RegistrationTallyTest::MethodsAreComparedOnTheSameRegistrations() {
+  RegistrationTrial failed = trial(std::numeric_limits<double>::infinity(), 20e-3);
+  failed.refused = true;
+  const RegistrationProof proof = proof_of({trial(5e-3, 4e-3), failed});
+  QCOMPARE(proof.figures.at("registration_validation_20_mean_mm"), 5.0);
+  QCOMPARE(proof.figures.at("registration_validation_20_rigid_mean_mm"), 4.0);
+  QVERIFY(verdict_of("registration_validation_rigid_beaten_share", proof) == Verdict::missed);
+  const RegistrationProof none = proof_of({failed});
+  QVERIFY(std::isnan(none.figures.at("registration_validation_20_mean_mm")));
+  QVERIFY(verdict_of("registration_validation_rigid_beaten_share", none) == Verdict::missed);
 }
 
 void RegistrationTallyTest::WhatIsWrittenIsReadAgain() {

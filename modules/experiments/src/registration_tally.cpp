@@ -43,12 +43,13 @@ struct Cell {
   Mean ours, paper, rigid, lesion;
   int doubted = 0, count = 0;
   void add(const RegistrationTrial& trial) {
+    doubted += trial.doubted();
+    ++count;
+    if (!std::isfinite(trial.mean)) return;  // the others are compared on the registrations that there are
     ours.add(trial.mean);
     paper.add(trial.paper_mean);
     rigid.add(trial.rigid_mean);
     lesion.add(trial.worst_lesion());
-    doubted += trial.doubted();
-    ++count;
   }
 };
 
