@@ -20,6 +20,7 @@ class FollowerTest : public QObject {
   void DivergingRaysAreRefused();
   void NewPointsLieOnTheTissue();
   void PointsFollowTheTissue();
+  void AViewOfAnotherBrightnessIsFollowed();
   void ForgottenFrameLeavesThePointsWhereTheyWere();
   void LonelyGapIsInconsistentAndCommonMotionIsNot();
   void PicturesOfAnotherSizeAreRefused();
@@ -111,6 +112,34 @@ void FollowerTest::PointsFollowTheTissue() {
       if (old.id == point.id) mean += point.p_in_camera - old.p_in_camera;
   mean /= static_cast<double>(follower.points().size());
   QVERIFY2((mean - way_).norm() < 0.4e-3, qPrintable(QString::number(1e3 * (mean - way_).norm())));
+}
+
+void FollowerTest::AViewOfAnotherBrightnessIsFollowed() {
+  const auto changed = [](Picture picture, double gain, double gamma) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+    for (std::uint8_t& byte : *bytes)
+      byte = static_cast<std::uint8_t>(255.0 * gain * std::pow(byte / 255.0, gamma));
+    picture.bytes = std::move(bytes);
+    return picture;
+  };
+  for (const auto& [gain, gamma] : {std::pair{0.5, 1.0}, {1.0, 0.45}, {1.0, 2.2}})
+    for (const bool is_left : {true, false}) {
+      StereoFrame first = first_, second = second_;
+      for (StereoFrame* frame : {&first, &second}) {
+        Picture& view = is_left ? frame->left : frame->right;
+        view = changed(view, gain, gamma);
+      }
+      StereoFollower follower(rig_, options());
+      follower.begin(first, {});
+      const int added = follower.replenish(expected());
+      QVERIFY2(added >= 60, qPrintable(QString::number(added)));
+      std::vector<double> off;
+      for (const FollowedPoint& point : follower.points())
+        off.push_back(tree_.closest(point.p_in_camera).distance);
+      QVERIFY(upper_median(off) < 1.5e-3);
+      follower.follow(second);
+      QVERIFY2(follower.points().size() >= 50, qPrintable(QString::number(follower.points().size())));
+    }
 }
 
 void FollowerTest::ForgottenFrameLeavesThePointsWhereTheyWere() {

@@ -19,6 +19,7 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
   void SmokeAndDarknessLoseSignalAndNoiseIsNone();
   void RowsStayWithBothViewsOfOneMoment();
   void WhatIsWrongFromTheFirstIsNoNorm();
+  void AViewIsHeldAgainstItsOwnStart();
   void NoiseIsNoMotionAndBreathIs_data();
   void NoiseIsNoMotionAndBreathIs();
   void OnlyAnOrderThatStereoTellsIsToldAsWrong();
@@ -104,6 +105,34 @@ void JudgePictureTest::WhatIsWrongFromTheFirstIsNoNorm() {
                                            .arg(overlay.evidence.before)
                                            .arg(overlay.evidence.contrast)));
   }
+}
+
+void JudgePictureTest::AViewIsHeldAgainstItsOwnStart() {
+  const auto hazy_right = [&](double share, double seconds) {
+    StereoFrame frame = first_;
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*frame.right.bytes);
+    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(130.5 + share * byte);
+    frame.right.bytes = std::move(bytes);
+    frame.seconds = seconds;
+    return frame;
+  };
+  JudgeOptions options;
+  options.supported = options.least_supported = 0.0;  // of the pictures alone
+  options.unknown = options.gap = options.local = options.pull = options.mean_gap = 100.0;
+  options.behind = options.lifted = options.before = 1.0;
+  options.motion = 0.0;
+  Judge judge(model_, rig_, {}, options);
+  OverlayFrame overlay;
+  overlay.nodes_in_camera = nodes_;
+  judge.begin(hazy_right(0.12, 0.0), nodes_);
+  for (int k = 1; k <= 10; ++k) {
+    const Validity found = judge.judge(hazy_right(0.12, 0.1 * k), grid(rig_), overlay);
+    QVERIFY2(found == Validity::valid, validity_code(found));
+  }
+  QVERIFY2(overlay.evidence.contrast > 0.9, qPrintable(QString::number(overlay.evidence.contrast)));
+  Validity found = Validity::valid;
+  for (int k = 11; k <= 14; ++k) found = judge.judge(hazy_right(0.04, 0.1 * k), grid(rig_), overlay);
+  QVERIFY2(found == Validity::poor_picture, validity_code(found));
 }
 
 void JudgePictureTest::NoiseIsNoMotionAndBreathIs_data() {

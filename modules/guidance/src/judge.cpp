@@ -72,7 +72,8 @@ struct Judge::Impl {
     is_misplaced = false;
     motion = {};
     noise = {};
-    first_signal = signal_at_start(first.left, options.least_signal);
+    left_signal = signal_at_start(first.left, options.least_signal);
+    right_signal = signal_at_start(first.right, options.least_signal);
     shape = nodes;
     tissue.clear();
     const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);
@@ -160,9 +161,10 @@ struct Judge::Impl {
     against = looks = 0;
     looked = clock.now() - options.every;  // the next frame is looked at
   }
+  /// Each view against its own start: cameras and lamps differ.
   double measured_contrast(const StereoFrame& frame) const {
-    return std::min(measure(frame.left).signal(), measure(frame.right).signal()) /
-           std::max(first_signal, 1e-6);
+    return std::min(measure(frame.left).signal() / std::max(left_signal, 1e-6),
+                    measure(frame.right).signal() / std::max(right_signal, 1e-6));
   }
   void look_at_pictures(const StereoFrame& frame) {
     if (!clock.is_due(looked_at_picture, kPictureSeconds)) return;
@@ -214,7 +216,7 @@ struct Judge::Impl {
   MotionCheck motion;
   FreshNoise noise;
   Evidence evidence;
-  double first_supported = 0.0, first_signal = 0.0;
+  double first_supported = 0.0, left_signal = 0.0, right_signal = 0.0;
   Points shape;                                  ///< tissue is kept in it
   TissueMap tissue;                              ///< since begin()
   FrameClock clock;                              ///< since begin()

@@ -2,6 +2,7 @@
 #include "stereo_follower.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
@@ -55,6 +56,41 @@ void make_view(const Picture& picture, const Camera& camera, const char* name, c
   }
   cv::buildOpticalFlowPyramid(view.grey, view.pyramid, cv::Size(options.window_px, options.window_px),
                               options.levels - 1, true);
+}
+
+/// How many grey levels of a view lie up to each one, as shares.
+std::array<double, 256> shares_up_to(const cv::Mat& grey) {
+  std::array<double, 256> shares{};
+  for (int y = 0; y < grey.rows; ++y)
+    for (const std::uint8_t* at = grey.ptr(y); at != grey.ptr(y) + grey.cols; ++at) shares[*at] += 1.0;
+  double sum = 0.0;
+  for (double& share : shares) share = (sum += share) / static_cast<double>(grey.total());
+  return shares;
+}
+
+/// `view` with the grey levels of `wanted`, as far as a rising curve brings them there: what two cameras make
+/// of the same light differs by one (gain, gamma, black level). Both see nearly the same, so their histograms
+/// tell it. Views that hardly differ are left alone.
+View at_levels_of(const View& wanted, const View& view, const FollowerOptions& options) {
+  constexpr double kAlike = 0.08;
+  const std::array<double, 256> from = shares_up_to(view.grey), to = shares_up_to(wanted.grey);
+  cv::Mat curve(1, 256, CV_8U);
+  double apart = 0.0, sum = 0.0;
+  for (int level = 0, other = 0; level < 256; ++level) {
+    const auto i = static_cast<std::size_t>(level);
+    const double middle = 0.5 * (from[i] + (level > 0 ? from[i - 1] : 0.0));
+    while (other < 255 && to[static_cast<std::size_t>(other)] < middle) ++other;
+    curve.at<std::uint8_t>(level) = static_cast<std::uint8_t>(other);
+    const double share = from[i] - (level > 0 ? from[i - 1] : 0.0);
+    apart += share * std::abs(other - level);
+    sum += share * std::max(other, level);
+  }
+  if (apart <= kAlike * sum) return view;
+  View result;  // of its own: a copy would share the other's buffers
+  cv::LUT(view.grey, curve, result.grey);
+  cv::buildOpticalFlowPyramid(result.grey, result.pyramid, cv::Size(options.window_px, options.window_px),
+                              options.levels - 1, true);
+  return result;
 }
 
 /// Lucas-Kanade there and back. `to` holds first guesses when `guessed`.
@@ -292,7 +328,8 @@ int StereoFollower::replenish(const Expected& expected) {
     start.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
     guess.emplace_back(static_cast<float>(there.x()), static_cast<float>(there.y()));
   }
-  const std::vector<char> good = follow_both_ways(left, images_->right, start, guess, true, options_);
+  const View right = start.empty() ? View() : at_levels_of(left, images_->right, options_);
+  const std::vector<char> good = follow_both_ways(left, right, start, guess, true, options_);
   int added = 0;
   for (std::size_t i = 0; i < start.size() && added < wanted; ++i) {
     if (good[i] == 0) continue;
