@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "glisson/engine/parts/model.h"
 #include "glisson/geometry/camera.h"
-#include "glisson/model/build.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/guidance/moment_store.h"
