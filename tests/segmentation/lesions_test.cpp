@@ -72,6 +72,50 @@ Grown grown(const Phantom& phantom, const Vec& off, double diameter_mm = 0.0) {
 
 double dark(const Vec&, double) { return 60.0; }
 
+/// A ball of 65 HU in a round liver of 110 HU and 48 mm in fat, as a scanner shows them: both borders are
+/// abrupt, blurred by its point spread (0.8 mm) and by the voxels that average.
+struct RoundCt {
+  Image image;
+  LabelMap kept;
+  std::vector<std::uint8_t> lesion;
+  Vec middle;
+};
+/// @param deep_mm the ball's middle lies under the liver's surface.
+RoundCt round_ct(double spacing_mm, double radius_mm, double deep_mm) {
+  constexpr double kRound = 48.0, kHalf = 55.0, kPointSpread = 0.8;
+  const double blur = std::sqrt(kPointSpread * kPointSpread + spacing_mm * spacing_mm / 12.0);
+  const Vec liver = Vec::Constant(kHalf);
+  RoundCt made;
+  made.middle = liver + Vec(kRound - deep_mm + 0.37, -0.61, 0.23);
+  VolumeGrid grid;
+  grid.size = Eigen::Vector3i::Constant(static_cast<int>(2.0 * kHalf / spacing_mm));
+  grid.spacing_mm = Vec::Constant(spacing_mm);
+  const auto share = [&](double outside_mm) { return 0.5 * std::erfc(outside_mm / (std::sqrt(2.0) * blur)); };
+  std::vector<Label> labels;
+  made.image = test::noisy_ct(grid, 3, 14.0, [&](const Vec& p) {
+    const double to_liver = (p - liver).norm() - kRound, to_ball = (p - made.middle).norm() - radius_mm;
+    labels.push_back(to_liver < 0.0 ? structure::kParenchyma : structure::kBackground);
+    made.lesion.push_back(to_liver < 0.0 && to_ball < 0.0 ? 1 : 0);
+    return -90.0 + share(to_liver) * (200.0 - 45.0 * share(to_ball));
+  });
+  made.kept.voxels = LabelVolume(grid, labels);
+  made.kept.infos = {structure_info(structure::kParenchyma)};
+  return made;
+}
+/// ml is a share of the true one. @param drawn its diameter, too.
+Grown grown_in(const RoundCt& made, double radius_mm, bool drawn) {
+  Seeds seeds;
+  seeds.lesions = {test::points_at(made.image, {made.middle + 0.2 * radius_mm * Vec(-1, 1, -0.5)})};
+  if (drawn) seeds.lesion_diameters_mm = {2.1 * radius_mm};
+  SegmentationOptions options;
+  options.structures = {false, false, false, false, false, true};
+  const Segmented found = segment(made.image, seeds, options, RunContext(), &made.kept).value();
+  const double true_ml = 1e-3 * static_cast<double>(std::count(made.lesion.begin(), made.lesion.end(), 1)) *
+                         made.image.grid.voxel_volume_mm3();
+  const auto is_it = [](Label label) { return label == structure::kFirstLesion; };
+  return {dice(found.labels.voxels.mask(is_it), made.lesion), found.report.lesion_ml.front() / true_ml, {}};
+}
+
 }  // namespace
 
 class LesionsTest : public QObject {
@@ -80,6 +124,8 @@ class LesionsTest : public QObject {
   void OneClickAnywhereFindsIt_data();
   void OneClickAnywhereFindsIt();
   void ABlurredEdgeIsNotTheLesions();
+  void AnAbruptBorderIsHalfWayDown();
+  void TheMixtureUnderTheSurfaceIsNotTheLesions();
   void WhatIsNoLesionIsNotFound();
   void AFaintRimIsFoundOrSaid();
   void ADiameterFindsWhatCannotBeSeen();
@@ -121,6 +167,33 @@ void LesionsTest::ABlurredEdgeIsNotTheLesions() {
   const double most = truth * std::pow(1.0 + kTenth * kBlur / kRadius, 3);
   const Grown one = grown(made, Vec(3, 2, -2));
   QVERIFY2(one.ml > 0.95 * truth && one.ml < most, qPrintable(QString::number(one.ml / truth)));
+}
+
+void LesionsTest::AnAbruptBorderIsHalfWayDown() {
+  for (const double spacing : {1.0, 2.0})
+    for (const double radius : {6.0, 8.0, 12.0}) {
+      const RoundCt made = round_ct(spacing, radius, 48.0);
+      for (const bool drawn : {false, true}) {
+        const Grown one = grown_in(made, radius, drawn);
+        QVERIFY2(std::abs(one.ml - 1.0) < 0.1 && one.dice > 0.9,
+                 qPrintable(QString("%1 mm, radius %2: %3 of it, Dice %4")
+                                .arg(spacing)
+                                .arg(radius)
+                                .arg(one.ml)
+                                .arg(one.dice)));
+      }
+    }
+}
+
+void LesionsTest::TheMixtureUnderTheSurfaceIsNotTheLesions() {
+  // 2 mm under it, and cut by it: a layer of 2 mm over the ball cannot be told, its rim all around can.
+  constexpr double kSpacing = 2.0, kRadius12 = 12.0;
+  for (const double deep : {kRadius12 + 2.0, 0.5 * kRadius12})
+    for (const bool drawn : {false, true}) {
+      const Grown one = grown_in(round_ct(kSpacing, kRadius12, deep), kRadius12, drawn);
+      QVERIFY2(one.ml > 0.9 && one.ml < 1.3 && one.dice > 0.85,
+               qPrintable(QString("%1 mm deep: %2 of it, Dice %3").arg(deep).arg(one.ml).arg(one.dice)));
+    }
 }
 
 void LesionsTest::WhatIsNoLesionIsNotFound() {

@@ -184,6 +184,51 @@ void take_rim(const LesionScene& scene, const Star& star, const Tissue& liver, d
   }
 }
 
+/// Carries a field on from `core` outwards, voxel layer by voxel layer, each the mean of what is known beside
+/// it.
+void carry_on(const Mask& core, double far_mm, Field& field) {
+  std::vector<std::uint8_t> known = core.voxels;
+  std::vector<Eigen::Vector3i> open;
+  const std::vector<float> far2 = squared_distance_mm2(core);
+  std::size_t at = 0;
+  for (int k = 0; k < field.size.z(); ++k)
+    for (int j = 0; j < field.size.y(); ++j)
+      for (int i = 0; i < field.size.x(); ++i, ++at)
+        if (known[at] == 0 && far2[at] <= far_mm * far_mm) open.emplace_back(i, j, k);
+  for (std::size_t before = 0; before != open.size();) {
+    before = open.size();
+    std::vector<std::pair<std::size_t, float>> found;
+    std::erase_if(open, [&](const Eigen::Vector3i& p) {
+      float sum = 0.0F;
+      int count = 0;
+      for (int n = 0; n < 27; ++n) {
+        const Eigen::Vector3i v = p + Eigen::Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        if (field.contains(v) && known[field.offset(v)] != 0) sum += field.values[field.offset(v)], ++count;
+      }
+      if (count > 0) found.emplace_back(field.offset(p), sum / static_cast<float>(count));
+      return count > 0;
+    });
+    for (const auto& [place, value] : found) field.values[place] = value, known[place] = 1;
+  }
+}
+
+/// The scene as if the organ went on beyond its surface. Close under it the CT mixes liver with what is
+/// outside, and the mixture with fat or lung is as dark as a lesion: what lies beneath tells more.
+LesionScene without_surface(LesionScene scene, const LesionClick& click) {
+  constexpr double kMixed = 2.5;   // sigmas of the blur: 1 % is left
+  constexpr double kBeyond = 4.0;  // mm outside
+  if (scene.organ.voxels.empty()) return scene;
+  const bool in_bite = !is_organ(scene, scene.ct.offset(click.place));
+  Mask outside = scene.ct.empty_mask();
+  for (std::size_t i = 0; i < outside.voxels.size(); ++i)
+    outside.voxels[i] = !is_organ(scene, i) && !(in_bite && scene.bites.voxels[i] != 0);
+  const double margin = kMixed * scene.blur_mm;
+  const Mask core = complement(dilated(outside, margin));
+  carry_on(core, margin + kBeyond, scene.raw);
+  carry_on(core, margin + kBeyond, scene.ct);
+  return scene;
+}
+
 /// What a click says, to begin with.
 struct Beginning {
   Tissue own, liver;
@@ -214,10 +259,10 @@ Beginning begin(const LesionScene& scene, const LesionClick& click) {
 
 /// Puts the boundary on the edge of the CT before denoising. Denoising blurs faint edges most, and the
 /// evidence counts intensities between lesion and liver for the lesion: both carry the boundary outwards.
-void find_edge(const LesionScene& scene, const Evidence& evidence, Star& star) {
+void find_edge(const LesionScene& scene, const Evidence& evidence, double liver, Star& star) {
   std::vector<std::uint8_t> may(scene.raw.values.size(), 0);
   for (std::size_t i = 0; i < may.size(); ++i) may[i] = scene.barred.voxels[i] == 0 && is_organ(scene, i);
-  move_to_edge({scene.raw, may, evidence}, star);
+  move_to_edge({scene.raw, may, evidence, scene.blur_mm, liver}, star);
 }
 
 /// Whether a body agrees with the diameter that a hand drew: it is not so wide that the hand must have been
@@ -258,7 +303,8 @@ Field drawn_ball(const LesionScene& scene, const LesionClick& click) {
 
 double lesion_reach_mm(double diameter_mm) { return diameter_mm > 0.0 ? 0.75 * diameter_mm + 5.0 : kReach; }
 
-GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click) {
+GrownLesion grow_lesion(const LesionScene& given, const LesionClick& click) {
+  const LesionScene scene = without_surface(given, click);
   Beginning begun = begin(scene, click);
   std::vector<float>& evidence = begun.evidence;
   const Vec inside = begun.seed.cast<double>();
@@ -281,7 +327,7 @@ GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click) {
   if (drawn && rim == 0.0 && !ends_as_drawn(scene, star, begun.liver, click.diameter_mm))
     return {drawn_ball(scene, click), false, true};
   const bool goes_on = ends_at_reach(star, begun.options.reach_mm);
-  if (rim == 0.0) find_edge(scene, Evidence(begun.own, begun.liver, drawn), star);
+  if (rim == 0.0) find_edge(scene, Evidence(begun.own, begun.liver, drawn), begun.liver.mean, star);
   return {distance_to(star, scene.ct, kBand),
           rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false, goes_on};
 }

@@ -9,9 +9,10 @@ namespace glisson::segmentation {
 struct LesionScene {
   Field raw, ct;  ///< the surroundings of the click; ct is denoised
   Tissue liver;
-  Mask organ;   ///< the liver found so far; no voxels: not known yet
-  Mask bites;   ///< what is missing in it to be round; as many voxels as `organ`
-  Mask barred;  ///< of no lesion
+  Mask organ;            ///< the liver found so far; no voxels: not known yet
+  Mask bites;            ///< what is missing in it to be round; as many voxels as `organ`
+  Mask barred;           ///< of no lesion
+  double blur_mm = 0.0;  ///< sigma of what an abrupt border looks like in `raw`
 };
 
 struct LesionClick {

@@ -137,7 +137,7 @@ const Rays& rays() {
 
 double Star::mean_radius_mm() const {
   double sum = 0.0;
-  for (const int radius : radii) sum += Rays::kStep * radius;
+  for (std::size_t n = 0; n < radii.size(); ++n) sum += radius_mm(n);
   return radii.empty() ? 0.0 : sum / static_cast<double>(radii.size());
 }
 
@@ -177,7 +177,9 @@ double gathered(const Field& field, const std::vector<float>& evidence, const St
 Field distance_to(const Star& star, const Field& field, double band_mm) {
   constexpr double kNear = 0.985;  // cosine to the rays that count: three or four of them
   const auto [shortest, longest] = std::minmax_element(star.radii.begin(), star.radii.end());
-  const double low = Rays::kStep * *shortest - band_mm, high = Rays::kStep * *longest + band_mm;
+  double in = 0.0, out = 0.0;
+  for (const double beyond : star.beyond_mm) in = std::min(in, beyond), out = std::max(out, beyond);
+  const double low = Rays::kStep * *shortest + in - band_mm, high = Rays::kStep * *longest + out + band_mm;
   Field phi = field.filled(static_cast<float>(band_mm));
   std::size_t at = 0;
   for (int k = 0; k < field.size.z(); ++k)

@@ -31,7 +31,10 @@ struct Star {
   static constexpr double kDrawnShare = 0.15;  ///< of a drawn diameter: the deviation of a body's radius
   Eigen::Vector3d middle;                      ///< voxels of a field, real-valued
   std::vector<int> radii;                      ///< one for each ray, in steps; empty: none
-  double radius_mm(std::size_t ray) const { return Rays::kStep * radii[ray]; }
+  std::vector<double> beyond_mm = {};          ///< of each ray, what its boundary lies off its step; empty: 0
+  double radius_mm(std::size_t ray) const {
+    return Rays::kStep * radii[ray] + (beyond_mm.empty() ? 0.0 : beyond_mm[ray]);
+  }
   double mean_radius_mm() const;
   /// Towards a place: that of the ray nearest to it.
   double radius_towards_mm(const Eigen::Vector3d& way) const;
