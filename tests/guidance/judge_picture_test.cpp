@@ -8,6 +8,7 @@
 #include "judged_film.h"
 #include "motion_check.h"
 #include "picture_check.h"
+#include "triangulate.h"
 
 using namespace glisson;
 using namespace glisson::guidance;
@@ -18,6 +19,7 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
   void initTestCase() { make_film(); }
   void SmokeAndDarknessLoseSignalAndNoiseIsNone();
   void RowsStayWithBothViewsOfOneMoment();
+  void ViewsShiftedAlongTheirRowsChangeTheSizeOfAllThatIsSeen();
   void WhatIsWrongFromTheFirstIsNoNorm();
   void AViewIsHeldAgainstItsOwnStart();
   void NoiseIsNoMotionAndBreathIs_data();
@@ -72,6 +74,53 @@ void JudgePictureTest::RowsStayWithBothViewsOfOneMoment() {
   for (FollowedPoint& point : now) point.right.y() += 0.5;  // the right view shows another moment
   check.push(now, rig_, 8 / 30.0);
   QVERIFY2(std::abs(std::abs(check.rows()) - 0.5) < 0.05, qPrintable(QString::number(check.rows())));
+}
+
+void JudgePictureTest::ViewsShiftedAlongTheirRowsChangeTheSizeOfAllThatIsSeen() {
+  const auto seen = [&](const auto& place, double shift) {
+    std::vector<FollowedPoint> points = grid(rig_);
+    for (FollowedPoint& point : points) {
+      const Eigen::Vector3d p = place(point.p_in_camera);
+      point.left = rig_.left.project(p);
+      point.right = rig_.right.project(rig_.right_from_left.rotation * p + rig_.right_from_left.translation);
+      point.right.x() += shift;
+      point.p_in_camera = triangulate(rig_, point.left, point.right).p;
+    }
+    return points;
+  };
+  using Place = Eigen::Vector3d;
+  const auto still = [](const Place& p) { return p; };
+  const auto nearer = [](const Place& p) -> Place { return p + Place(4e-3, 2e-3, -25e-3); };
+  const auto bent = [](const Place& p) -> Place { return {p.x(), p.y(), p.z() - 6.0 * p.x() * p.x()}; };
+  const auto pulled = [](const Place& p) -> Place {
+    return {p.x() * (p.x() > 0.0 ? 1.3 : 1.0), p.y(), p.z()};
+  };
+  const auto depth_off = [&](const auto& place, double shift) {
+    MotionCheck check;
+    check.push(seen(still, 0.0), rig_, 0.0);
+    check.push(seen(place, shift), rig_, 1.0 / 30.0);
+    return 1e3 * check.depth_off();
+  };
+  QVERIFY(std::abs(depth_off(still, 0.0)) < 1e-3);
+  QVERIFY2(std::abs(depth_off(nearer, 0.0)) < 0.1, qPrintable(QString::number(depth_off(nearer, 0.0))));
+  QVERIFY2(std::abs(depth_off(bent, 0.0)) < 4.0, qPrintable(QString::number(depth_off(bent, 0.0))));
+  QVERIFY2(std::abs(depth_off(pulled, 0.0)) < 4.0, qPrintable(QString::number(depth_off(pulled, 0.0))));
+  // Of 10.8 pixels of disparity one more or less is a ninth of the depth of 120 mm.
+  QVERIFY2(depth_off(still, 1.0) > 9.0, qPrintable(QString::number(depth_off(still, 1.0))));
+  QVERIFY2(depth_off(still, -1.0) < -8.0, qPrintable(QString::number(depth_off(still, -1.0))));
+
+  Judge judge(model_, rig_, {}, {});
+  judge.begin(first_, nodes_);
+  OverlayFrame overlay;
+  overlay.nodes_in_camera = nodes_;
+  Validity found = Validity::valid;
+  for (int k = 1; k <= 12; ++k) {
+    StereoFrame frame = first_;
+    frame.seconds = k / 30.0;
+    found = judge.judge(frame, seen(still, 0.1 * k), overlay);
+    QVERIFY2(k > 4 || found != Validity::views_apart, qPrintable(QString::number(k)));
+  }
+  QVERIFY2(found == Validity::views_apart, validity_code(found));
 }
 
 void JudgePictureTest::WhatIsWrongFromTheFirstIsNoNorm() {

@@ -177,7 +177,8 @@ struct Judge::Impl {
     noise.push(frame, clock);
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
-    views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief,
+    const double across = std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter());
+    views.push(std::max(across, std::abs(motion.depth_off()) / options.pull), 1.0, options.relief,
                clock.passed());
     if (left < 0.0 || right < 0.0) return look_at_copies();
     copies.set(false);

@@ -23,6 +23,11 @@ constexpr int kFirstFrames = 5;
 /// there at first is taken off up to this only.
 constexpr double kMostRows = 1.0, kMostScatter = 0.7;
 constexpr double kUnknown = -1.0;
+/// Places shared with the first ones from which growth is told; with fewer, the present ones follow on.
+constexpr std::size_t kLeastPlaces = 30;
+/// Metres: depth's error weighs too much in shorter distances.
+constexpr double kLeastApart = 20e-3;
+constexpr std::size_t kEveryPair = 3;  ///< the others say the same
 
 /// Places of one group's points over frames: a row each point, a column each frame.
 using Paths = Eigen::MatrixXd;
@@ -73,6 +78,7 @@ void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig
   }
   keep({seconds, std::move(pixels)});
   look_at_motion(rig);
+  look_at_size(points);
   if (offsets.empty()) return;
   const double offset = upper_median(offsets);
   if (rows_seen_ < kFirstFrames) {
@@ -82,6 +88,35 @@ void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig
   }
   ++rows_seen_;
   rows_ = offset - std::clamp(first_rows_, -kMostRows, kMostRows);
+}
+
+void MotionCheck::look_at_size(const std::vector<FollowedPoint>& points) {
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> places;  // at first, now
+  std::vector<double> ranges, growths;
+  for (const FollowedPoint& point : points) {
+    const auto first = first_places_.find(point.id);
+    if (first == first_places_.end()) continue;
+    places.emplace_back(first->second, point.p_in_camera);
+    ranges.push_back(point.p_in_camera.norm());
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); j += kEveryPair) {
+      const double at_first = (places[i].first - places[j].first).norm();
+      const double now = (places[i].second - places[j].second).norm();
+      if (at_first > kLeastApart && now > 0.0) growths.push_back(std::log(now / at_first));
+    }
+  if (places.size() >= kLeastPlaces && growths.size() >= kLeastPlaces) {
+    const double least = grown_before_ + lower_percentile(growths, 0.25),
+                 most = grown_before_ + lower_percentile(growths, 0.75);
+    const double grown = least > 0.0 ? least : std::min(most, 0.0);
+    depth_off_ = std::expm1(grown) * upper_median(ranges);
+    last_growth_ = grown_before_ + upper_median(growths);
+    return;
+  }
+  if (points.size() < kLeastPlaces) return;
+  grown_before_ = last_growth_;
+  first_places_.clear();
+  for (const FollowedPoint& point : points) first_places_[point.id] = point.p_in_camera;
 }
 
 void MotionCheck::look_at_motion(const StereoRig& rig) {

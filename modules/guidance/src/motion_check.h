@@ -12,7 +12,8 @@
 namespace glisson::guidance {
 
 /// What the followed points say of the pictures themselves: whether the scene moves at all (living tissue
-/// always does: heart and breath), and whether both views show the same moment.
+/// always does: heart and breath), and whether both views show the same moment and stand to each other as
+/// calibrated.
 class MotionCheck {
  public:
   /// The points of the next frame. @param seconds its time.
@@ -37,6 +38,12 @@ class MotionCheck {
   /// By how much points differed in that at first, one deviation, pixels: what the calibration leaves changes
   /// over the picture, and a smaller change of the median may come from seeing another place.
   double rows_scatter() const { return rows_scatter_; }
+  /// By how much all depths have become wrong since the first points, metres, negative: too small. Tissue
+  /// bends and is pulled here and there, but what is in sight does not grow or shrink as a whole. Where most
+  /// distances between its places did, by the same share, one view has been shifted along the rows, which
+  /// makes every disparity wrong. 0 while a quarter of the distances say otherwise, or too few places are
+  /// known.
+  double depth_off() const { return depth_off_; }
 
  private:
   /// A point's pixels: left x and y, right x and y.
@@ -49,12 +56,17 @@ class MotionCheck {
 
   void keep(Frame now);
   void look_at_motion(const StereoRig& rig);
+  void look_at_size(const std::vector<FollowedPoint>& points);
 
   std::deque<Frame> frames_;  ///< by the clock
   FrameClock clock_;
   std::array<double, 2> motion_{-1.0, -1.0};  ///< left, right
   double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;
+  std::map<int, Eigen::Vector3d>
+      first_places_;  ///< of points, camera's frame, metres: distances as they were
+  double grown_before_ = 0.0, last_growth_ = 0.0;  ///< logarithms: until first_places_, and until now
+  double depth_off_ = 0.0;
 };
 
 /// Signed distance of the right pixel from the epipolar line of the left one, in pixels of the right camera.
