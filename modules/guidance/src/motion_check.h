@@ -63,8 +63,8 @@ class MotionCheck {
   std::array<double, 2> motion_{-1.0, -1.0};  ///< left, right
   double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;
-  std::map<int, Eigen::Vector3d>
-      first_places_;  ///< of points, camera's frame, metres: distances as they were
+  /// Of points, camera's frame, metres: distances are held against theirs.
+  std::map<int, Eigen::Vector3d> first_places_;
   double grown_before_ = 0.0, last_growth_ = 0.0;  ///< logarithms: until first_places_, and until now
   double depth_off_ = 0.0;
 };
