@@ -105,6 +105,15 @@ void JudgePictureTest::ViewsShiftedAlongTheirRowsChangeTheSizeOfAllThatIsSeen() 
   QVERIFY2(std::abs(depth_off(nearer, 0.0)) < 0.1, qPrintable(QString::number(depth_off(nearer, 0.0))));
   QVERIFY2(std::abs(depth_off(bent, 0.0)) < 4.0, qPrintable(QString::number(depth_off(bent, 0.0))));
   QVERIFY2(std::abs(depth_off(pulled, 0.0)) < 4.0, qPrintable(QString::number(depth_off(pulled, 0.0))));
+  // Where the scope goes on, to other places, what was pulled before is no shift of a view now.
+  MotionCheck going_on;
+  for (int k = 0; k < 6; ++k) {
+    auto points = k % 2 == 0 ? seen(still, 0.0) : seen(pulled, 0.0);
+    for (FollowedPoint& point : points) point.id += 1000 * (k / 2);
+    going_on.push(points, rig_, k / 30.0);
+  }
+  QVERIFY2(1e3 * std::abs(going_on.depth_off()) < 4.0,
+           qPrintable(QString::number(1e3 * going_on.depth_off())));
   // Of 10.8 pixels of disparity one more or less is a ninth of the depth of 120 mm.
   QVERIFY2(depth_off(still, 1.0) > 9.0, qPrintable(QString::number(depth_off(still, 1.0))));
   QVERIFY2(depth_off(still, -1.0) < -8.0, qPrintable(QString::number(depth_off(still, -1.0))));

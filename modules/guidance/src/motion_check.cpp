@@ -108,13 +108,12 @@ void MotionCheck::look_at_size(const std::vector<FollowedPoint>& points) {
   if (places.size() >= kLeastPlaces && growths.size() >= kLeastPlaces) {
     const double least = grown_before_ + lower_percentile(growths, 0.25),
                  most = grown_before_ + lower_percentile(growths, 0.75);
-    const double grown = least > 0.0 ? least : std::min(most, 0.0);
-    depth_off_ = std::expm1(grown) * upper_median(ranges);
-    last_growth_ = grown_before_ + upper_median(growths);
+    growth_ = least > 0.0 ? least : std::min(most, 0.0);
+    depth_off_ = std::expm1(growth_) * upper_median(ranges);
     return;
   }
   if (points.size() < kLeastPlaces) return;
-  grown_before_ = last_growth_;
+  grown_before_ = growth_;  // what three quarters say: where tissue is pulled, the median goes with it
   first_places_.clear();
   for (const FollowedPoint& point : points) first_places_[point.id] = point.p_in_camera;
 }

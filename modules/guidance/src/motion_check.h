@@ -65,7 +65,7 @@ class MotionCheck {
   int rows_seen_ = 0;
   /// Of points, camera's frame, metres: distances are held against theirs.
   std::map<int, Eigen::Vector3d> first_places_;
-  double grown_before_ = 0.0, last_growth_ = 0.0;  ///< logarithms: until first_places_, and until now
+  double grown_before_ = 0.0, growth_ = 0.0;  ///< logarithms: until first_places_, and until now
   double depth_off_ = 0.0;
 };
 
