@@ -6755,8 +6755,8 @@
         <translation>das Bild steht still</translation>
     </message>
     <message>
-        <source>the two views do not show the same moment</source>
-        <translation>die beiden Ansichten zeigen nicht denselben Augenblick</translation>
+        <source>the two views do not fit together</source>
+        <translation>die beiden Ansichten passen nicht zusammen</translation>
     </message>
     <message>
         <source>part of the organ is covered</source>
@@ -6967,8 +6967,8 @@
         <translation>Bewegen Sie das Laparoskop ein wenig, oder warten Sie auf einen Atemzug.</translation>
     </message>
     <message>
-        <source>Check that both cameras run, in the right order and at the same time.</source>
-        <translation>Prüfen Sie, ob beide Kameras laufen, in der richtigen Reihenfolge und zur selben Zeit.</translation>
+        <source>Check that both cameras run, in the right order, at the same time, and as they were calibrated.</source>
+        <translation>Prüfen Sie, ob beide Kameras laufen, in der richtigen Reihenfolge, zur selben Zeit und so, wie sie kalibriert wurden.</translation>
     </message>
     <message>
         <source>Take away what covers it, or show another part of the organ.</source>

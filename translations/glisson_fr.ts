@@ -6755,8 +6755,8 @@
         <translation>l&apos;image est figée</translation>
     </message>
     <message>
-        <source>the two views do not show the same moment</source>
-        <translation>les deux vues ne montrent pas le même instant</translation>
+        <source>the two views do not fit together</source>
+        <translation>les deux vues ne concordent pas</translation>
     </message>
     <message>
         <source>part of the organ is covered</source>
@@ -6967,8 +6967,8 @@
         <translation>Bougez un peu le laparoscope, ou attendez une respiration.</translation>
     </message>
     <message>
-        <source>Check that both cameras run, in the right order and at the same time.</source>
-        <translation>Vérifiez que les deux caméras fonctionnent, dans le bon ordre et en même temps.</translation>
+        <source>Check that both cameras run, in the right order, at the same time, and as they were calibrated.</source>
+        <translation>Vérifiez que les deux caméras fonctionnent, dans le bon ordre, en même temps et telles qu’elles ont été calibrées.</translation>
     </message>
     <message>
         <source>Take away what covers it, or show another part of the organ.</source>

@@ -34,7 +34,7 @@ class Overlay {
       case Validity::picture_stands:
         return tr("the picture stands still");
       case Validity::views_apart:
-        return tr("the two views do not show the same moment");
+        return tr("the two views do not fit together");
       case Validity::partly_covered:
         return tr("part of the organ is covered");
       case Validity::poor_picture:
@@ -82,7 +82,9 @@ class Overlay {
       case Validity::picture_still:
         return tr("Move the laparoscope a little, or wait for a breath.");
       case Validity::views_apart:
-        return tr("Check that both cameras run, in the right order and at the same time.");
+        return tr(
+            "Check that both cameras run, in the right order, at the same time, and as they were "
+            "calibrated.");
       case Validity::partly_covered:
         return tr("Take away what covers it, or show another part of the organ.");
       case Validity::poor_picture:
