@@ -126,7 +126,7 @@ std::vector<JudgedFrame> run_live(const LiveStage& stage, const LiveFault& fault
     JudgedFrame judged;
     judged.frame = k;
     judged.overlay = tracker.follow(shown.frame(k));
-    judged.faulty = !fault.is_sound && (k >= onset || !(fault.show || fault.is_lifted));
+    judged.faulty = !fault.is_sound && (k >= onset || fault.is_mirrored || !(fault.show || fault.is_lifted));
     judged.error = shown.error(targets.apply(stage.model.mesh, judged.overlay.nodes_in_camera), k);
     judged.frozen = shown.error(frozen, k);
     for (const LesionVerdict& verdict : judged.overlay.lesions)
