@@ -2,11 +2,10 @@
 #include "glisson/insilico/handled_liver.h"
 
 #include <QtTest>
-#include <array>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/rigid.h"
-#include "glisson/geometry/topology.h"
+#include "shapes.h"
 #include "theatre_patient.h"
 
 using namespace glisson;
@@ -20,41 +19,6 @@ HandlingOptions small(Handling handling, std::uint64_t seed = 1) {
   options.seed = seed;
   options.truth_vertices = 400;
   return options;
-}
-
-/// An octahedron, each triangle cut into four three times, on a ball of 60 mm.
-TriangleMesh ball() {
-  std::vector<std::array<Eigen::Vector3d, 3>> faces;
-  for (const double x : {1.0, -1.0})
-    for (const double y : {1.0, -1.0})
-      for (const double z : {1.0, -1.0}) {
-        const Eigen::Vector3d a = x * Eigen::Vector3d::UnitX(), b = y * Eigen::Vector3d::UnitY(),
-                              c = z * Eigen::Vector3d::UnitZ();
-        if (x * y * z > 0.0)
-          faces.push_back({a, b, c});
-        else
-          faces.push_back({b, a, c});
-      }
-  for (int pass = 0; pass < 3; ++pass) {
-    std::vector<std::array<Eigen::Vector3d, 3>> finer;
-    for (const auto& [a, b, c] : faces) {
-      const Eigen::Vector3d ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
-      for (const std::array<Eigen::Vector3d, 3>& face :
-           {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
-        finer.push_back(face);
-    }
-    faces = std::move(finer);
-  }
-  TriangleMesh mesh;
-  mesh.vertices.resize(3 * static_cast<Eigen::Index>(faces.size()), 3);
-  mesh.triangles.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      mesh.vertices.row(3 * t + k) =
-          0.06 * faces[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)].transpose();
-      mesh.triangles(t, k) = 3 * t + k;
-    }
-  return merge_vertices(mesh, 1e-6);
 }
 
 }  // namespace
@@ -71,7 +35,7 @@ class HandledLiverTest : public QObject {
   void CancelGivesNothing();
 
  private:
-  PatientModel patient_ = test::small_patient();
+  PatientModel patient_ = insilico::test::small_patient();
 };
 
 void HandledLiverTest::IsBentAsFarAsIsWanted() {
@@ -114,7 +78,7 @@ void HandledLiverTest::ThePatchIsOfItsSurface() {
 
 void HandledLiverTest::WhatHasNoMarginCannotBeLifted() {
   PatientModel patient;
-  patient.surfaces = {{structure::kParenchyma, "liver", ball()}};
+  patient.surfaces = {{structure::kParenchyma, "liver", glisson::test::sphere(0.06, 3)}};
   QVERIFY_EXCEPTION_THROWN(HandledLiver::build(patient, small(Handling::lifted), RunContext()),
                            NumericalError);
 }

@@ -233,8 +233,7 @@ class DemoRun {
     insilico::PatchOptions patch;
     patch.share = options_.patch_share;
     patch.seed = context_.seed();
-    insilico::Patch sampled = theatre_->patch(0, patch);
-    sampled.cloud.normals.resize(0, 3);  // the truth's own: who has noisy points has no clean normals
+    const insilico::Patch sampled = theatre_->patch(0, patch);
     write_cloud(folder_ / "operator/patch.ply", sampled.cloud);
     result_.figures["patch_visible_share"] = sampled.share;
     post(engine::ImportCloud{folder_ / "operator/patch.ply"});

@@ -197,11 +197,9 @@ Patch HandledLiver::patch(const PatchOptions& options, const Rigid<CameraFrame, 
   const RayHit hit = caster.cast(Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ());
   const double depth =
       hit.thing == RayHit::Thing::organ ? static_cast<double>(hit.parameter) : surface.vertices.col(2).mean();
-  Patch patch = sample_patch(surface, caster, Eigen::Vector3d(0.0, 0.0, depth),
-                             scope.apply(carry(impl_->landmarks.anterior_margin)),
-                             scope.apply(carry(impl_->landmarks.umbilical_notch)), options);
-  patch.cloud.normals.resize(0, 3);
-  return patch;
+  return sample_patch(surface, caster, Eigen::Vector3d(0.0, 0.0, depth),
+                      scope.apply(carry(impl_->landmarks.anterior_margin)),
+                      scope.apply(carry(impl_->landmarks.umbilical_notch)), options);
 }
 
 }  // namespace glisson::insilico

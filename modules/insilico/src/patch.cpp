@@ -14,7 +14,7 @@ namespace glisson::insilico {
 namespace {
 
 struct Face {
-  Eigen::Vector3d centre, normal;
+  Eigen::Vector3d centre;
   double area = 0.0;
   int tier = 2;  ///< 0: seen from the camera; 1: faces it; 2: neither
   std::vector<int> neighbours;
@@ -29,9 +29,8 @@ std::vector<Face> faces_of(const TriangleMesh& surface, const RayCaster& caster)
     face.centre = (surface.vertex(surface.triangles(t, 0)) + surface.vertex(surface.triangles(t, 1)) +
                    surface.vertex(surface.triangles(t, 2))) /
                   3.0;
-    face.normal = normals.row(t).transpose();
     face.area = areas[t];
-    const double facing = -face.normal.dot(face.centre.normalized());
+    const double facing = -normals.row(t).dot(face.centre.normalized());
     if (facing > 0.0) face.tier = 1;
     if (facing > 0.1 && caster.sees(Eigen::Vector3d::Zero(), face.centre)) face.tier = 0;
   }
@@ -138,7 +137,6 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
   result.share = area / total;
   LabelledCloud& cloud = result.cloud;
   cloud.points.resize(count, 3);
-  cloud.normals.resize(count, 3);
   cloud.features.reserve(static_cast<std::size_t>(count));
   cloud.sigma.reserve(static_cast<std::size_t>(count));
   Eigen::Index kept = 0;
@@ -155,13 +153,11 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
     const bool outlier = hand.uniform() < options.outlier_share;
     const Eigen::Vector3d astray = hand.tremor3().normalized() * (0.005 + 0.010 * hand.uniform());
     if (hole) continue;
-    cloud.points.row(kept) = (p + (outlier ? astray : noise)).transpose();
-    cloud.normals.row(kept++) = faces[static_cast<std::size_t>(t)].normal.transpose();
+    cloud.points.row(kept++) = (p + (outlier ? astray : noise)).transpose();
     cloud.features.push_back(feature_of(p, margin, notch, options));
     cloud.sigma.push_back(1e-3 * options.noise_mm);
   }
   cloud.points.conservativeResize(kept, 3);
-  cloud.normals.conservativeResize(kept, 3);
   return result;
 }
 
