@@ -271,7 +271,12 @@ void SegmentationPreviewTest::BranchThatAClickWouldMoveIsShownBefore() {
   point_at({0.001, 0.02, 0});
   QTRY_VERIFY(shared.preview());
   QVERIFY(told->text().contains(QStringLiteral("Hepatic veins → Portal vein")));
+  std::optional<bool> shown_of_former;
+  const auto change = connect(&session(), &ui::EditSession::tool_changed, this,
+                              [&] { shown_of_former = session().branch() != nullptr; });
   QTest::keyClick(window_.get(), Qt::Key_P);
+  disconnect(change);
+  QVERIFY(shown_of_former.has_value() && !*shown_of_former);
   QVERIFY(!shared.preview() && !session().branch());
 }
 

@@ -17,11 +17,10 @@ Cancellable<BranchPreview::Shown> BranchPreview::compute(const Order& order, con
   return shown;
 }
 
-BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, StandsFor stands_for, QObject* parent)
+BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, QObject* parent)
     : QObject(parent),
       views_(views),
       edit_at_(std::move(edit_at)),
-      stands_for_(std::move(stands_for)),
       computing_(this, compute, [this](const Order& order, const std::shared_ptr<const Shown>& result) {
         // The labels may be others by now; and the pointer may have left the branches.
         if (wanted_ && order.labels == labels_) show(result);
@@ -40,6 +39,14 @@ void BranchPreview::set_case(std::shared_ptr<const Image> image, std::shared_ptr
   show(nullptr);
 }
 
+void BranchPreview::set_tool(EditTool tool) {
+  if (tool == tool_) return;
+  tool_ = tool;
+  wanted_.reset();
+  computing_.cancel();
+  show(nullptr);
+}
+
 void BranchPreview::follow() {
   const auto& pointer = views_.pointer();
   const auto edit = image_ && labels_ && pointer ? edit_at_(*pointer) : std::nullopt;
@@ -53,8 +60,9 @@ void BranchPreview::follow() {
 }
 
 bool BranchPreview::shown_may_stay() const {
-  return wanted_ && shown_->problem.empty() && &shown_->edit.tool.kind() == &wanted_->tool.kind() &&
-         stands_for_(shown_->edit.tool, wanted_->tool, *labels_, shown_->result.labels);
+  if (!wanted_ || tool_ == nullptr || !shown_->problem.empty()) return false;
+  return !tool_->stands_for ||
+         tool_->stands_for(shown_->edit.tool, wanted_->tool, *labels_, shown_->result.labels);
 }
 
 void BranchPreview::show(std::shared_ptr<const Shown> shown) {

@@ -64,10 +64,6 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
   branch_ = new BranchPreview(
       views,
       [this](const PointerPlace& place) { return edit_at(place, QGuiApplication::keyboardModifiers()); },
-      [this](const editing::Tool& shown, const editing::Tool& click, const LabelMap& before,
-             const LabelMap& after) {
-        return tool_ != nullptr && tool_->stands_for(shown, click, before, after);
-      },
       this);
   connect(branch_, &BranchPreview::changed, this, [this] {
     show_preview();
@@ -103,7 +99,8 @@ void EditSession::set_tool(EditTool tool) {
   problem_.clear();
   notes_.clear();
   tool_ = tool;
-  emit tool_changed();  // whoever had the mouse lets go of it
+  branch_->set_tool(tool);  // before anybody asks what is shown
+  emit tool_changed();      // whoever had the mouse lets go of it
   show_hand();
   settings_have_changed();
 }

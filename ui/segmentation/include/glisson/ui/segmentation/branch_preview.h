@@ -10,6 +10,7 @@
 #include "glisson/editing/edit.h"
 #include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/common/view_state.h"
+#include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
 
@@ -20,9 +21,6 @@ class BranchPreview : public QObject {
  public:
   /// The edit that a click there would be; empty: a click there does nothing.
   using EditAt = std::function<std::optional<editing::Edit>(const PointerPlace& place)>;
-  /// WindowTool::stands_for of the tool that clicks.
-  using StandsFor = std::function<bool(const editing::Tool& shown, const editing::Tool& click,
-                                       const LabelMap& before, const LabelMap& after)>;
   struct Shown {
     editing::Edit edit;
     editing::Edited result;  ///< empty labels where there is a problem
@@ -30,10 +28,12 @@ class BranchPreview : public QObject {
   };
 
   /// @param edit_at is asked in the window's thread, while there are an image and labels.
-  BranchPreview(ViewState& views, EditAt edit_at, StandsFor stands_for, QObject* parent = nullptr);
+  BranchPreview(ViewState& views, EditAt edit_at, QObject* parent = nullptr);
 
   /// Whose branches; null: nothing is shown. Other labels put away what is shown until the pointer moves.
   void set_case(std::shared_ptr<const Image> image, std::shared_ptr<const LabelMap> labels);
+  /// Of the tool that clicks; another one's puts away what is shown.
+  void set_tool(EditTool tool);
   /// Null: the pointer is over no branch, or it is not known yet what would move.
   const std::shared_ptr<const Shown>& shown() const { return shown_; }
 
@@ -54,7 +54,7 @@ class BranchPreview : public QObject {
 
   ViewState& views_;
   EditAt edit_at_;
-  StandsFor stands_for_;
+  EditTool tool_ = nullptr;
   std::shared_ptr<const Image> image_;
   std::shared_ptr<const LabelMap> labels_;
   std::optional<editing::Edit> wanted_;

@@ -124,6 +124,10 @@ struct Foretold {
   std::vector<Label> labels = {};
 };
 
+/// @param after the labels that the click that is `shown` makes of `before`.
+using StandsFor = std::function<bool(const editing::Tool& shown, const editing::Tool& click,
+                                     const LabelMap& before, const LabelMap& after)>;
+
 /// A tool of the window: its button, its page, and what the mouse does with it. One a file (tools/NAME.cpp).
 struct WindowTool {
   /// What shows at the pointer before it clicks.
@@ -164,13 +168,9 @@ struct WindowTool {
   std::function<editing::Tool(const EditSettings&, const Points& path)> chain = {};
   /// What is said of a click whose outcome is shown before it happens. Empty function: the tool shows none.
   std::function<Foretold(const editing::Tool& click)> foretells = {};
-  /// Whether what is shown of one click may stay in sight until it is known what another would do.
-  /// @param after the labels that `shown` makes of `before`.
-  std::function<bool(const editing::Tool& shown, const editing::Tool& click, const LabelMap& before,
-                     const LabelMap& after)>
-      stands_for = [](const editing::Tool&, const editing::Tool&, const LabelMap&, const LabelMap&) {
-        return true;  // it is drawn again as the pointer moves
-      };
+  /// Whether what is shown of one click may stay in sight until it is known what another would do. Empty
+  /// function: always; it is drawn again as the pointer moves.
+  StandsFor stands_for = {};
   /// What it does to the whole volume. Empty function: it works where the mouse is.
   std::function<editing::Tool(const EditSettings&, const WholeVolume&)> whole = {};
 };
