@@ -54,10 +54,11 @@ class Shown {
   /// Largest distance, metres.
   double error(const Points& found, int k) const {
     if (shows_another_organ(fault_)) return kNowhere;
+    const Points there = truth(k);
     double most = 0.0;
     for (Eigen::Index i = 0; i < found.rows(); ++i)
-      most = std::max(
-          most, drawn_error(fault_, stage_.rig, k, found.row(i).transpose(), truth(k).row(i).transpose()));
+      most = std::max(most,
+                      drawn_error(fault_, stage_.rig, k, found.row(i).transpose(), there.row(i).transpose()));
     return most;
   }
   double error(const LesionVerdict& verdict, int k) const {

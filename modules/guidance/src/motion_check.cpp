@@ -92,7 +92,7 @@ void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig
 
 void MotionCheck::look_at_size(const std::vector<FollowedPoint>& points) {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> places;  // at first, now
-  std::vector<double> ranges, growths;
+  std::vector<double> ranges, growths;                              // growths: squared
   for (const FollowedPoint& point : points) {
     const auto first = first_places_.find(point.id);
     if (first == first_places_.end()) continue;
@@ -101,13 +101,13 @@ void MotionCheck::look_at_size(const std::vector<FollowedPoint>& points) {
   }
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = i + 1; j < places.size(); j += kEveryPair) {
-      const double at_first = (places[i].first - places[j].first).norm();
-      const double now = (places[i].second - places[j].second).norm();
-      if (at_first > kLeastApart && now > 0.0) growths.push_back(std::log(now / at_first));
+      const double at_first = (places[i].first - places[j].first).squaredNorm();
+      const double now = (places[i].second - places[j].second).squaredNorm();
+      if (at_first > kLeastApart * kLeastApart && now > 0.0) growths.push_back(now / at_first);
     }
   if (places.size() >= kLeastPlaces && growths.size() >= kLeastPlaces) {
-    const double least = grown_before_ + lower_percentile(growths, 0.25),
-                 most = grown_before_ + lower_percentile(growths, 0.75);
+    const double least = grown_before_ + 0.5 * std::log(lower_percentile(growths, 0.25)),
+                 most = grown_before_ + 0.5 * std::log(lower_percentile(growths, 0.75));
     growth_ = least > 0.0 ? least : std::min(most, 0.0);
     depth_off_ = std::expm1(growth_) * upper_median(ranges);
     return;

@@ -78,10 +78,9 @@ View at_levels_of(const View& wanted, const View& view, const FollowerOptions& o
   double apart = 0.0, sum = 0.0;
   for (int level = 0, other = 0; level < 256; ++level) {
     const auto i = static_cast<std::size_t>(level);
-    const double middle = 0.5 * (from[i] + (level > 0 ? from[i - 1] : 0.0));
+    const double share = from[i] - (level > 0 ? from[i - 1] : 0.0), middle = from[i] - 0.5 * share;
     while (other < 255 && to[static_cast<std::size_t>(other)] < middle) ++other;
     curve.at<std::uint8_t>(level) = static_cast<std::uint8_t>(other);
-    const double share = from[i] - (level > 0 ? from[i - 1] : 0.0);
     apart += share * std::abs(other - level);
     sum += share * std::max(other, level);
   }

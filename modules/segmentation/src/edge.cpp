@@ -74,14 +74,12 @@ struct Step {
 
 Step step_of(double middle_mm, double sigma_mm) {
   Step step{middle_mm, sigma_mm};
-  double mean = 0.0;
   for (std::size_t cell = 0; cell < kCells; ++cell) {
     const double x = Rays::kStep * (static_cast<double>(cell) - kIn - kSide + 0.5) - middle_mm;
     step.share[cell] = 0.5 * std::erfc(-x / (std::sqrt(2.0) * sigma_mm));
-    mean += step.share[cell] / kCells;
+    step.mean += step.share[cell] / kCells;
   }
-  step.mean = mean;
-  for (double& share : step.share) share -= mean, step.spread += share * share;
+  for (double& share : step.share) share -= step.mean, step.spread += share * share;
   return step;
 }
 
