@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas on the command line: show, transfer, and what is refused.
-#include <QtTest>
+#include <QJsonObject>
+#include <QTest>
 
 #include "glisson/geometry/mesh_io.h"
 #include "program.h"

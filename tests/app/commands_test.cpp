@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line as a person meets it: help, language, wrong usage, places that cannot be written.
-#include <QtTest>
+#include <QProcess>
+#include <QTest>
 
 #include <cmath>
 

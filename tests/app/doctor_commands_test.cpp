@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program tells of the machine and of itself: doctor, log, crash report, soak.
-#include <QtTest>
+#include <QJsonObject>
+#include <QTest>
 
 #include "glisson/core/claim.h"
 #include "glisson/geometry/distance.h"

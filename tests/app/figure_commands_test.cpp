@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's figures on the command line: what is written, and what is refused.
 #include <QImage>
-#include <QtTest>
+#include <QJsonObject>
+#include <QTest>
 
 #include "glisson/geometry/mesh_io.h"
 #include "program.h"

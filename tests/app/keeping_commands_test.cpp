@@ -2,7 +2,9 @@
 // What the program writes harms nothing, what is cut short is kept and marked, and messages name files.
 #include <sys/stat.h>
 
-#include <QtTest>
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QTest>
 
 #include <QJsonArray>
 #include <algorithm>

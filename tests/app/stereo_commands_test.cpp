@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stereo laparoscope on the command line: calibrate, check, reconstruct, and the proofs.
 #include <QImage>
-#include <QtTest>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QTest>
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A model in the theatre on the command line: register, track, simulate.
-#include <QtTest>
+#include <QJsonObject>
+#include <QTest>
 
 #include <cmath>
 #include <random>

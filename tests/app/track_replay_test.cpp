@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a track wrote is drawn again: the program's pictures against the painter's own, from what the track
 // knew.
-#include <QtTest>
+#include <QJsonObject>
+#include <QTest>
 
 #include <cmath>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points in public headers say their frame: by their name (nodes_in_camera) or by their type
 // (PointsIn<CtFrame>).
-#include <QtTest>
+#include <QTest>
 
 #include "house.h"
 

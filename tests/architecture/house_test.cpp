@@ -3,7 +3,7 @@
 // there is of a size that can be read.
 #include "house.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace glisson::house;
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Guards the direction of the includes: arrows run downwards only, modules know neither widgets nor VTK
 // rendering, and third-party types stay out of public headers.
-#include <QtTest>
+#include <QTest>
 
 #include "house.h"
 
@@ -98,6 +98,7 @@ class IncludesTest : public QObject {
   void PublicHeadersAreReadFromOutside();
   void ModulesKnowNoWidgetsAndNoRendering();
   void ThirdPartyTypesStayOutOfPublicHeaders();
+  void NothingReadsQtWhole();
 };
 
 void IncludesTest::TheHouseIsFound() {
@@ -168,6 +169,24 @@ void IncludesTest::ThirdPartyTypesStayOutOfPublicHeaders() {
     if (is_module(include.room) && is_public(include.source) && std::regex_search(include.target, kForeign))
       offences += where(include) + "\n";
   QVERIFY2(offences.empty(), ("in a public header:\n" + offences).c_str());
+}
+
+/// What the inline functions of Qt's umbrella headers call is instantiated in each unit, used or not.
+void IncludesTest::NothingReadsQtWhole() {
+  static const std::regex kUmbrella(
+      "^\\s*#\\s*include\\s*<Qt(Core|Gui|Widgets|Test|Network)(/Qt[A-Za-z]+)?>");
+  std::string offences;
+  int read = 0;
+  for (const char* folder : {"modules", "ui", "app", "tests"})
+    for (const auto& entry : fs::recursive_directory_iterator(source_root() / folder)) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+      ++read;
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);)
+        if (std::regex_search(line, kUmbrella)) offences += entry.path().string() + ": " + line + "\n";
+    }
+  QVERIFY(read > 1000);
+  QVERIFY2(offences.empty(), ("name the classes instead:\n" + offences).c_str());
 }
 
 QTEST_APPLESS_MAIN(IncludesTest)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holds the texts against the disk: every module has a README, its texts are short enough to be read and
 // can be found from there, and what the texts link to exists.
-#include <QtTest>
+#include <QTest>
 
 #include <cctype>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Medians and percentiles stand once, in core/statistics.h: nobody sorts up to a place of his own, names a
 // private median or writes the deviation over the MAD as a number.
-#include <QtTest>
+#include <QTest>
 
 #include "house.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Livers that disease or a surgeon has changed: what the atlas doubts of them is said, its ellipsoids grow,
 // and nothing is asserted.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 

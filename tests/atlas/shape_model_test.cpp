@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "glisson/atlas/shape_model.h"

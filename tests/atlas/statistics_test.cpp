@@ -2,7 +2,7 @@
 // Ellipsoids hold what they promise on draws whose distribution is known.
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/atlas/atlas.h"
 #include "glisson/core/random.h"

@@ -9,7 +9,7 @@
 #include <QEventLoop>
 #include <QPushButton>
 #include <QTimer>
-#include <QtTest>
+#include <QTest>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

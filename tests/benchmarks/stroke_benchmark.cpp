@@ -4,10 +4,11 @@
 // seen when the slice has been painted with labels that have it.
 //   xvfb-run -a -s "-screen 0 1280x800x24" build/bench/benchmarks/stroke_benchmark
 #include <QApplication>
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QTest>
 #include <QWindow>
-#include <QtTest>
 #include <algorithm>
 #include <cstdio>
 #include <deque>

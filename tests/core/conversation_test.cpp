@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A child that is asked things: what it answers, that it may be silent for ever, and what an end is.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/child_process.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/core/machine.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 

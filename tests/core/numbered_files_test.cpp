@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/core/numbered_files.h"
 
-#include <QtTest>
+#include <QFile>
+#include <QTest>
 
 #include "glisson/core/error.h"
 

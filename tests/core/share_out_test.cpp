@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/core/share_out.h"
 
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <atomic>
 #include <latch>

@@ -2,7 +2,7 @@
 // What a hand draws: brushes and scissors against closed forms.
 #include "glisson/editing/edit.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "edit_applied.h"
 #include "edit_random.h"

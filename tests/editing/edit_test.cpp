@@ -2,7 +2,7 @@
 // What every edit keeps to, and the tools that reshape labels.
 #include "glisson/editing/edit.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "edit_applied.h"
 #include "edit_random.h"

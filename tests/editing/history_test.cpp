@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/editing/history.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 #include <random>

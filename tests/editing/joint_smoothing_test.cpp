@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All labels evened at once: each keeps its volume and its thin branches, and what is rough gets even.
-#include <QtTest>
+#include <QTest>
 
 #include "edit_applied.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/editing/edit.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "edit_applied.h"

@@ -2,7 +2,7 @@
 // Every tool of the list follows from its description: scripts, refusals, names of steps, the manual's table;
 // and so does a tool that only this file knows.
 #include <QDir>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <set>
 

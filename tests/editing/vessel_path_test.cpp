@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/editing/tools/vessel_path.h"
 
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 
 #include "edit_applied.h"

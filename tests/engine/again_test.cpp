@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Registered again while the organ is followed: offered first, then taken, and back.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/engine/commands/register_again.h"
 #include "glisson/engine/commands/start_tracking.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An atlas of one's own cases: what goes into it, where it is kept, and what is refused.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <fstream>

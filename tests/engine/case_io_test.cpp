@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/case_io.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 #include <nlohmann/json.hpp>

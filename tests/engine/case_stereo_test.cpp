@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A rendered stereo pair is reconstructed and labelled; the case that holds it is saved and opened again.
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 

@@ -2,7 +2,7 @@
 // A click that corrects the liver, as a step of the case.
 #include "glisson/engine/commands/correct_around.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "ball_ct.h"
 #include "glisson/core/files.h"

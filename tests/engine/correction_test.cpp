@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A hand's corrections reach what follows the organ, in order with its frames, and the live part tells them.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/correct_tracking.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels leave a case as a DICOM segmentation and come in again unchanged.
-#include <QtTest>
+#include <QTest>
 
 #include "../volume/dicom_bytes.h"
 #include "glisson/core/error.h"

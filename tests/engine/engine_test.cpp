@@ -3,7 +3,7 @@
 // in threaded_test.cpp.
 #include "glisson/engine/engine.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <atomic>
 #include <set>

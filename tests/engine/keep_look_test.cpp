@@ -2,7 +2,7 @@
 // Earlier looks at the organ: kept, forgotten, saved with the case, and joined when the model is registered.
 #include "glisson/engine/commands/keep_look.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "../registration/phantom.h"
 #include "complaint.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of labels edited by hand comes with a case or a label map, and what stays behind.
-#include <QtTest>
+#include <QTest>
 
 #include "gate.h"
 #include "glisson/engine/commands/edit_labels.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels edited by hand through the engine: steps, previews, review, and edits beside long work. What of them
 // comes with files and cases is in kept_labels_test.cpp.
-#include <QtTest>
+#include <QTest>
 
 #include "gate.h"
 #include "glisson/engine/commands/build_model.h"

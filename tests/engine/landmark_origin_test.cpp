@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of decisions: where a case's landmarks come from and what a person made of the proposals.
-#include <QtTest>
+#include <QTest>
 
 #include "atlas_cases.h"
 #include "glisson/core/error.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person did to a case, its image or its labels is not done to what has taken their place since.
-#include <QtTest>
+#include <QTest>
 
 #include "gate.h"
 #include "glisson/core/files.h"

@@ -3,7 +3,7 @@
 // way back to rest, the case as it was.
 #include "glisson/engine/load_trial.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

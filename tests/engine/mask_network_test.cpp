@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person's own mask network beside what follows the organ: from its file to what a frame tells.
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "filmed_phantom.h"

@@ -2,7 +2,7 @@
 // What stands in the way of a command: the first part that is missing, or where being out of date begins.
 #include "glisson/engine/obstacle.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A part and a command that nothing in the program knows, in this file alone: they are saved, read, outdated,
 // cancelled and told as missing like the built-in ones.
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // Operations that were simulated ahead: registrations rest on them, and they are kept with the case.
 #include "glisson/engine/parts/operations.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/error.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every saved part compares itself: what reads back differently is never taken for saved.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"

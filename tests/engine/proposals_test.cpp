@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the atlas proposes is a part of the case, and nothing of it is a landmark before a person says so.
-#include <QtTest>
+#include <QTest>
 
 #include <Eigen/Eigenvalues>
 #include <cstdlib>

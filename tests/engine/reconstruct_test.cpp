@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which points a stereo pair has, and when they change.
-#include <QtTest>
+#include <QTest>
 
 #include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A registration as a file of its own: what is known of it travels with it, and what cannot be is refused.
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/error.h"

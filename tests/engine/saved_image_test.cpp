@@ -4,7 +4,7 @@
 
 #include <sys/stat.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // A person's own network labels the CT of a case: what a hand has corrected stays until a person decides.
 #include "glisson/engine/commands/segment_by_network.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/editing/tools/paint.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new segmentation over labels that a hand has corrected: what it would change is told, and a person
 // decides.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/editing/tools/paint.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a simulation leaves behind: meshes with displacement and stress, a table, and the case as it was.
-#include <QtTest>
+#include <QTest>
 
 #include <fstream>
 #include <set>

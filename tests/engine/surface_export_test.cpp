@@ -9,7 +9,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the threaded runner promises: no cancel is lost, edits overtake only what they do not touch, the
 // newest frame wins, and whoever waits is served.
-#include <QtTest>
+#include <QTest>
 
 #include <atomic>
 #include <chrono>

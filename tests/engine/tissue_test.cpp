@@ -2,7 +2,7 @@
 // What is said of stiffness is a part of the case: it makes things out of date and travels along.
 #include "glisson/engine/parts/tissue.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/error.h"

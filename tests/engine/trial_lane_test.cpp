@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the engine owes to a load that is tried live, by the inline and the threaded runner alike: newest
 // wins, it ends at once, edits go on. The mechanics are a puppet's.
-#include <QtTest>
+#include <QTest>
 
 #include <chrono>
 #include <limits>

@@ -2,7 +2,7 @@
 // Who registers again without a person: when, what is taken, and what becomes of failures.
 #include "glisson/experiments/again_every.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/take_registration.h"

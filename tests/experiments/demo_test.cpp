@@ -3,7 +3,7 @@
 // figure is measured.
 #include "glisson/experiments/demo.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "atlas_proof.h"

@@ -2,7 +2,7 @@
 // The pages of packaging/figures that proofs have written: a page that names other aims, or other bounds,
 // than the program does was written by another program, and its verdicts are another's: then it says so.
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/experiments/proofs.h"
 

@@ -2,7 +2,7 @@
 // What the proof of the live overlay counts.
 #include "live_tally.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <set>

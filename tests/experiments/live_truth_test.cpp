@@ -2,7 +2,7 @@
 // An overlay is wrong where it is wrong on the picture, though the program's numbers be right.
 #include "live_truth.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 
 #include "live_roc.h"

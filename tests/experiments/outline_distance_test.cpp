@@ -2,7 +2,7 @@
 // Lines whose distance is known: circles of different radii, lines shifted aside.
 #include "outline_distance.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "glisson/core/error.h"

@@ -2,7 +2,7 @@
 // What a proof's page says, and where it goes.
 #include "glisson/experiments/proofs.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "glisson/core/error.h"

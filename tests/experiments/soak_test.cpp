@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/soak.h"
 
-#include <QtTest>
+#include <QCoreApplication>
+#include <QFile>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"

@@ -2,7 +2,7 @@
 // What the meshes of a track tell.
 #include "glisson/experiments/track_record.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "phantom.h"

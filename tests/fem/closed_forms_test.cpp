@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The model against answers that were found without it.
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <memory>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps in time: what they keep, what they must not depend on, what they do when they cannot.
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <memory>
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same properties on a liver that we did not make: 3046 nodes, 10703 tetrahedra (elastic_sequence), with
 // capsule and vessels of our own through it.
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The composite at rest and in equilibrium: forces, energies and tangents.
 #include <Eigen/Eigenvalues>
-#include <QtTest>
+#include <QTest>
 
 #include "beam.h"
 #include "block_mesh.h"

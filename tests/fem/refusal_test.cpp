@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the mechanics cannot use is refused, and named.
-#include <QtTest>
+#include <QTest>
 #include <memory>
 #include <numeric>
 

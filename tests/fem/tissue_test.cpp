@@ -2,7 +2,7 @@
 // What a person says of stiffness: read, written, checked, and put into materials.
 #include "glisson/fem/tissue.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/error.h"

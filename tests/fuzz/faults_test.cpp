@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of the shape of those that once ended the program, hung it, or were read as what they are not. Each
 // is made here, by a change to a good one.
-#include <QtTest>
+#include <QTest>
 #include <chrono>
 
 #include "entries.h"

@@ -2,7 +2,7 @@
 #include "glisson/geometry/camera.h"
 
 #include <Eigen/LU>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 #include <random>

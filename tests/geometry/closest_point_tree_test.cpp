@@ -2,7 +2,7 @@
 #include "glisson/geometry/closest_point_tree.h"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "glisson/core/error.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What other programs write: versions, encodings and dialects of the mesh formats, whole and damaged.
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "complaint.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/geometry/mesh_io.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "data_folder.h"

@@ -2,7 +2,7 @@
 #include "glisson/geometry/mesh.h"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "complaint.h"

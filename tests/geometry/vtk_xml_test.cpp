@@ -19,7 +19,7 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "complaint.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The organ is registered again while it is followed. The truth is the film's own: a ray caster that knows no
 // tracker.
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "filmed_phantom.h"

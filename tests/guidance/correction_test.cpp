@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A hand says where places of the organ are. The truth is the film's own: a ray caster that knows no tracker.
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "filmed_phantom.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What somebody else says is not liver neither pulls nor is begun on, and no mask makes anything pull.
-#include <QtTest>
+#include <QTest>
 
 #include "filmed_phantom.h"
 #include "glisson/geometry/distance.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is judged of the pictures themselves: their contrast, both views of one moment, motion, and copies.
-#include <QtTest>
+#include <QTest>
 
 #include "few_points.h"
 #include "glisson/guidance/tracker.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is judged of the surface by stereo, and alarms, repetition and options of all verdicts.
-#include <QtTest>
+#include <QTest>
 
 #include "alarm.h"
 #include "glisson/core/error.h"

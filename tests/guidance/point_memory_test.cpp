@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places that are seen again are where they were bound at first.
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 #include <opencv2/core.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laparoscope moves fast, or is taken out and put back elsewhere.
-#include <QtTest>
+#include <QTest>
 
 #include "filmed_phantom.h"
 #include "glisson/geometry/distance.h"

@@ -2,7 +2,7 @@
 // Distances from a tip to a block with a ball in it, whose truth is a line of arithmetic.
 #include "glisson/guidance/tool_meter.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "box_patient.h"

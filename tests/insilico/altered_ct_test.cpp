@@ -2,7 +2,7 @@
 // A CT altered in a known way: what is put into it is there, what is not stays as it was.
 #include "glisson/insilico/altered_ct.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

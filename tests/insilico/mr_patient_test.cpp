@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/insilico/mr_patient.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "glisson/core/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/insilico/operator.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "glisson/core/error.h"

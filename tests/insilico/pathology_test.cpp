@@ -2,7 +2,7 @@
 // CTs of ill livers and a layperson's clicks: what is asked for is in the picture, where the truth says.
 #include "glisson/insilico/pathology.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "glisson/insilico/layperson.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/insilico/patient.h"
 
-#include <QtTest>
+#include <QElapsedTimer>
+#include <QTest>
 #include <map>
 #include <numeric>
 #include <random>

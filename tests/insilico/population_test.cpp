@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many synthetic patients, on coarse grids.
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <numeric>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/insilico/pulled_organ.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "../registration/phantom.h"
 #include "glisson/core/error.h"

@@ -2,7 +2,7 @@
 #include "bezier.h"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 #include <random>
 

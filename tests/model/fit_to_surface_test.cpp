@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fit_to_surface.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "fill_dents.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a patient's margin is not known, a truth's is the one that is found: how far that lies from the ridge
 // that the synthetic livers are made with.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trees of the synthetic patient, found again from its labels.
-#include <QtTest>
+#include <QTest>
 
 #include "anatomy.h"
 #include "evaluate_trees.h"

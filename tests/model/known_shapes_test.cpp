@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vessels whose topology, lengths and radii are known in closed form.
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "tubes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 
 #include "data_folder.h"
 #include "glisson/core/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace glisson;
 using model::ScalarField;

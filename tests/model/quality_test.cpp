@@ -2,7 +2,7 @@
 #include "glisson/model/quality.h"
 #include "glisson/model/build.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 #include <numeric>
 

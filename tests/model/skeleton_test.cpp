@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "skeleton.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 #include <set>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/model/tree_edits.h"
 
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 
 #include "complaint.h"

@@ -2,7 +2,7 @@
 // Networks so small that the label of every voxel is known.
 #include "glisson/network/label_network.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "complaint.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person's own network that masks what is not liver: its sheet, its pictures, and its life beside a loop.
-#include <QtTest>
+#include <QElapsedTimer>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/error.h"

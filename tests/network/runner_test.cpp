@@ -3,7 +3,7 @@
 
 #include <signal.h>
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <random>
 #include <thread>

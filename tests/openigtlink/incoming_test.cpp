@@ -6,7 +6,7 @@
 #include <igtlTransformMessage.h>
 #include <igtl_util.h>
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <random>
 

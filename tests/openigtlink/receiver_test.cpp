@@ -3,7 +3,7 @@
 #include "glisson/openigtlink/receiver.h"
 
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "peer_process.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/label_difference.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "glisson/core/error.h"

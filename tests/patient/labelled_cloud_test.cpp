@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/labelled_cloud.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cstring>
 #include <fstream>
 

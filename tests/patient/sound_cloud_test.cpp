@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/sound_cloud.h"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 
 using namespace glisson;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes after the shape is found asks whether it is cancelled, too: each step leaves at its first
 // question.
-#include <QtTest>
+#include <QTest>
 
 #include "evidence.h"
 #include "examine.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/registration/contact_forces.h"
 
-#include <QtTest>
+#include <QTest>
 #include <chrono>
 #include <fstream>
 #include <random>

@@ -3,7 +3,7 @@
 #include "examine.h"
 
 #include <Eigen/Dense>
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "glisson/core/random.h"

@@ -2,7 +2,7 @@
 // Which forks of the vessel trees are told of, and how far off they may be.
 #include "glisson/registration/forks.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/patient/label_map.h"
 #include "phantom.h"

@@ -2,7 +2,7 @@
 // Several looks at one organ: joined, and where each was seen from is found together with the shape.
 #include "looks.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "glisson/core/error.h"

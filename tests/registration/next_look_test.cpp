@@ -3,7 +3,7 @@
 #include "glisson/registration/next_look.h"
 
 #include <Eigen/Dense>
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "glisson/geometry/rigid.h"

@@ -2,7 +2,7 @@
 // Registered once more, with tissue that was seen later.
 #include "glisson/registration/register_again.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"

@@ -2,7 +2,7 @@
 // What one door decides of a registration: where it starts, and what it rests on.
 #include "glisson/registration/register_model.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <random>
 

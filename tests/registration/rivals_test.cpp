@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other places where the organ may be: which are told, and what choosing one does.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lesions and parenchyma of a stiffness of their own: in operations, unforeseen forces, springs and forces.
 #include <Eigen/Dense>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <set>
 #include <utility>

@@ -2,7 +2,7 @@
 // What findings amount to: nothing, doubts, refusal.
 #include "verdict.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace glisson::registration;
 

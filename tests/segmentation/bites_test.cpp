@@ -2,7 +2,7 @@
 // Where a tumour at the rim may lie, on bodies whose hollows are known.
 #include "bites.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace glisson;
 using namespace glisson::segmentation;

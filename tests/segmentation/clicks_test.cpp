@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What clicks do to the labels, on a phantom that is known.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/segmentation/segment.h"

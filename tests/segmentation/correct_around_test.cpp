@@ -2,7 +2,7 @@
 // One click corrects the labels around it, and nothing else, on a phantom that is known.
 #include "glisson/segmentation/correct_around.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/segmentation/lesion_size.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 using namespace glisson;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The vena cava followed through phantoms whose cross-sections are known.
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 #include <random>
 

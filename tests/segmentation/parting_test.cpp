@@ -2,7 +2,7 @@
 // Bodies that hang together by a neck, or across a seam, on phantoms whose parts are known.
 #include "parting.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "phantom_field.h"

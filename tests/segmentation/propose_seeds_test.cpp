@@ -2,7 +2,7 @@
 // A liver that nobody has clicked: proposed seeds lie in the truth's liver, however the CT is stored.
 #include "glisson/segmentation/propose_seeds.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "ball_ct.h"

@@ -2,7 +2,7 @@
 // The best region against all regions there are, and on phantoms whose answer is known.
 #include "region_cut.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "enclosed.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/calibrate.h"
 
-#include <QtTest>
+#include <QTest>
 #include <opencv2/aruco/charuco.hpp>
 
 #include "complaint.h"

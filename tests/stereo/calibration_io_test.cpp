@@ -2,7 +2,7 @@
 #include "glisson/stereo/calibration_io.h"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 
 #include "complaint.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/density.h"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "glisson/core/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/evaluate.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/faults.h"
 
-#include <QtTest>
+#include <QTest>
 #include <filesystem>
 #include <functional>
 #include <random>

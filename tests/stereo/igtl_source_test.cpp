@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A server of OpenIGTLink as a source of stereo frames, by the same door as every other.
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "../openigtlink/peer_process.h"

@@ -2,7 +2,7 @@
 // Epipolar lines and labels of a rendered pair whose depth is known.
 #include "glisson/stereo/labelling.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/epipolar.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/picture_io.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "full_disk.h"
 #include "glisson/core/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/picture_pairs.h"
 
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 
 #include "glisson/core/error.h"

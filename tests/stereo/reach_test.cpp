@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/reach.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "glisson/core/files.h"

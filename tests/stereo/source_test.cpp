@@ -3,7 +3,7 @@
 
 #include <sys/stat.h>
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <thread>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A whole video looked through: which frames are told, and when one is held against the calibration.
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"

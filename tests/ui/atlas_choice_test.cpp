@@ -6,7 +6,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QtTest>
+#include <QTest>
+#include <QToolButton>
 
 #include <fstream>
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is the case's stays the case's: while it is saved, when another CT or video comes, when a frame loads.
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -9,9 +12,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
-#include <QtTest>
 #include <chrono>
 #include <thread>
 

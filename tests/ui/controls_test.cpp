@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // No control is a dummy: whatever can be pressed in the window and its dialogs is heard by something.
+#include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QTest>
 #include <QTimer>
 #include <QToolButton>
-#include <QtTest>
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"

@@ -2,7 +2,7 @@
 // Dashes against a line whose length and curvature are known.
 #include "dashes.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <numbers>
 

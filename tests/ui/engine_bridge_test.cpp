@@ -3,7 +3,7 @@
 #include "glisson/ui/common/engine_bridge.h"
 
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include "gate.h"
 #include "glisson/core/files.h"

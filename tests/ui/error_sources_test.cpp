@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The other way round than error_texts_test: what the sources throw is known to the translators, so that no
 // error is told half in one language and half in another.
-#include <QtTest>
+#include <QTest>
 
 #include <filesystem>
 

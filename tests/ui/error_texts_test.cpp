@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of files and cases, as they are thrown, are known to the translators: a changed sentence is noticed
 // here.
+#include <QCoreApplication>
 #include <QRegularExpression>
+#include <QTest>
 #include <QTranslator>
-#include <QtTest>
 
 #include <fstream>
 #include <functional>

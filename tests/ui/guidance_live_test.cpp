@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QtTest>
+#include <QTest>
 #include <atomic>
 
 #include "glisson/engine/commands/open_case.h"

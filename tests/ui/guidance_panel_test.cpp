@@ -4,7 +4,7 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QTreeWidget>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/load_video_frame.h"

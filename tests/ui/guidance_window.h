@@ -3,9 +3,10 @@
 
 #include <QCheckBox>
 #include <QElapsedTimer>
+#include <QKeySequence>
 #include <QLabel>
 #include <QShortcut>
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <memory>
 #include <utility>

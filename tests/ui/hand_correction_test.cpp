@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A hand drags a place of the drawn organ to where the picture shows it.
+#include <QCoreApplication>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/open_case.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whose case is open stands on the screen in every step.
 #include <QLabel>
-#include <QtTest>
+#include <QTest>
 
 #include "../volume/dicom_bytes.h"
 #include "glisson/core/files.h"

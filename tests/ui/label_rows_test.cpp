@@ -2,7 +2,7 @@
 // The rows of the list of labels, and the numbers of lesions that are seeded.
 #include "glisson/ui/segmentation/label_rows.h"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "glisson/ui/segmentation/seed_book.h"

@@ -2,7 +2,8 @@
 // Surfaces that are made beside the window: of this patient's labels and of nobody else's.
 #include "glisson/ui/common/label_surface_source.h"
 
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 #include "glisson/patient/label_map.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lesion is drawn as a body only where it is known well enough.
 #include <Eigen/Cholesky>
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "box_patient.h"

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person does in order to see: windows, a larger view, places pointed at in 3D.
+#include <QAction>
 #include <QApplication>
+#include <QCoreApplication>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
+#include <QTest>
 #include <QToolButton>
 #include <QTranslator>
-#include <QtTest>
+#include <QWheelEvent>
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 // A person's own mask network is chosen, kept for the next start, told of and removed.
 #include <QLabel>
 #include <QPushButton>
-#include <QtTest>
+#include <QTest>
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A computer without OpenGL: a view in three dimensions says so, and the window goes on.
+#include <QApplication>
 #include <QLabel>
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 #include "glisson/ui/common/render_view.h"
 

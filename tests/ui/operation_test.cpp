@@ -2,14 +2,15 @@
 // The whole operation by mouse with the real engine and the real stages: a coarse synthetic patient, a short
 // film. The simulated operator's clicks are made in the window, where a person would make them.
 #include <QApplication>
+#include <QCoreApplication>
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTest>
 #include <QTimer>
 #include <QToolButton>
-#include <QtTest>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/save_case.h"

@@ -3,7 +3,7 @@
 #include "glisson/ui/shell/operations_ahead.h"
 
 #include <QProgressBar>
-#include <QtTest>
+#include <QTest>
 #include <atomic>
 #include <thread>
 

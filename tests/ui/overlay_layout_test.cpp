@@ -2,7 +2,7 @@
 // Words on the live picture do not cover each other.
 #include "overlay_layout.h"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 using namespace glisson;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How depth is told: windows, contours, outlines, and what is left out.
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "box_patient.h"

@@ -2,7 +2,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include <QtTest>
+#include <QTest>
 #include <thread>
 
 #include "box_patient.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vtkRenderer.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "box_patient.h"
 #include "glisson/core/error.h"

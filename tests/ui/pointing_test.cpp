@@ -6,9 +6,12 @@
 #include <vtkRenderer.h>
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QPushButton>
-#include <QtTest>
+#include <QTest>
+#include <QWheelEvent>
 
 #include "fake_operation.h"
 #include "glisson/engine/commands/set_landmarks.h"

@@ -2,7 +2,7 @@
 // The service behind previews: the newest order wins, and what is cancelled is never handed over.
 #include "glisson/ui/common/preview_service.h"
 
-#include <QtTest>
+#include <QTest>
 #include <atomic>
 #include <semaphore>
 #include <vector>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas' proposals reviewed by mouse and keyboard, on the atlas' own mean as the patient's liver.
+#include <QApplication>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/import_image.h"

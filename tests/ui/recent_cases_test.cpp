@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // File > Open recent, in a window.
+#include <QAction>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QtTest>
+#include <QTest>
 
 #include "../volume/phantom.h"
 #include "glisson/core/files.h"

@@ -2,7 +2,7 @@
 // What is recorded of the live view is there, whatever the disk does, and nobody waits for it.
 #include "glisson/ui/guidance/recorder.h"
 
-#include <QtTest>
+#include <QTest>
 #include <atomic>
 #include <future>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recording, as the box of the guidance panel offers it: what is said, what stands on the disk in the end.
 #include <QComboBox>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/parts/live.h"

@@ -2,11 +2,13 @@
 // The window is killed and started again: what was not saved is offered.
 #include <signal.h>
 
+#include <QApplication>
+#include <QCoreApplication>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 #include <cstdio>
 
 #include "glisson/core/files.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The organ is registered again while it is followed, with one key.
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/engine/parts/live.h"
 #include "glisson/ui/common/task_button.h"

@@ -3,7 +3,7 @@
 #include <vtkActorCollection.h>
 #include <vtkRenderer.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "box_patient.h"
 #include "glisson/core/error.h"

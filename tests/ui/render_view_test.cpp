@@ -10,8 +10,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <QApplication>
 #include <QLabel>
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 namespace glisson {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QApplication>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/ui/shell/run_window.h"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closing, saving and opening while work runs say what becomes of its result, and do what the person chose.
 #include <QAction>
+#include <QApplication>
+#include <QKeySequence>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTimer>
 
 #include "glisson/engine/commands/save_case.h"

@@ -2,12 +2,14 @@
 // Nothing is written over without a question about the very name that is written.
 #include "glisson/ui/common/save_name.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDir>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QTimer>
-#include <QtTest>
 
 using namespace glisson::ui;
 

@@ -2,7 +2,7 @@
 // From the camera to the screen, of pictures whose times are known.
 #include "glisson/ui/guidance/screen_times.h"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using glisson::ui::ScreenTimes;

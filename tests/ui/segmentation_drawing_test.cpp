@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the segmentation step draws: slices that follow an edit, previews, and label surfaces by blocks.
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 #include <random>
 #include <set>
 

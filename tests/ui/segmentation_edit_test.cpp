@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits a segmentation by mouse and keyboard, like a person at the window: what tools do in the views.
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QListWidget>
+#include <QMouseEvent>
+#include <QSignalSpy>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/open_case.h"

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segment over labels that a hand has corrected: what would change is seen, and the person decides.
 #include <QAction>
+#include <QApplication>
 #include <QDoubleSpinBox>
+#include <QKeySequence>
 #include <QLabel>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTimer>
 
 #include "glisson/core/files.h"

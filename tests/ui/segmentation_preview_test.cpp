@@ -2,8 +2,10 @@
 // What an edit would do is shown before a click or Enter does it, by mouse and keyboard at the window.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QWheelEvent>
 #include <array>
 
 #include "segmentation_window.h"

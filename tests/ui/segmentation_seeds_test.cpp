@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Seeds, the box in which growth works, and growth itself, by mouse and keyboard.
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QToolButton>
 
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"

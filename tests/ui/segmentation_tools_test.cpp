@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a tool's settings and what the mouse did to an edit.
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <set>
 

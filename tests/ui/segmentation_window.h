@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QApplication>
-#include <QtTest>
+#include <QCoreApplication>
+#include <QMouseEvent>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/editing/tools/paint.h"

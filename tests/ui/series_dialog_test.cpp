@@ -2,11 +2,12 @@
 // The dialogue that asks which series of a folder is meant.
 #include "glisson/ui/shell/series_dialog.h"
 
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QTest>
 #include <QTreeWidget>
-#include <QtTest>
 
 #include "glisson/ui/common/series_texts.h"
 #include "run_in_window.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How livers differ: the atlas' mean bent by its first modes over the patient's liver, by mouse and keyboard.
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/import_surfaces.h"

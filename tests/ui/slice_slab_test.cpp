@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The brightest of a slab about a slice.
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 
 #include <Eigen/Geometry>
 

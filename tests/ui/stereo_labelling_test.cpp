@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A rendered stereo pair is loaded, reconstructed and labelled by mouse and keyboard, with the real engine.
+#include <QAbstractButton>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QPolygonF>
 #include <QPushButton>
+#include <QTest>
 #include <QToolButton>
-#include <QtTest>
+#include <QWheelEvent>
 #include <map>
 
 #include "../stereo/rendered_pair.h"

@@ -2,6 +2,7 @@
 // The dialogs that describe a stereo source and calibrate a laparoscope.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,8 +10,8 @@
 #include <QScreen>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTest>
 #include <QTreeWidget>
-#include <QtTest>
 #include <algorithm>
 
 #include "../stereo/rendered_board.h"

@@ -3,7 +3,7 @@
 // at its first hit.
 #include "glisson/ui/scene/surface_raster.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "box_patient.h"
 #include "glisson/core/error.h"

@@ -3,10 +3,12 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/registration/next_look.h"
 
+#include <QDir>
 #include <QDirIterator>
+#include <QFile>
 #include <QRegularExpression>
+#include <QTest>
 #include <QXmlStreamReader>
-#include <QtTest>
 
 namespace glisson {
 

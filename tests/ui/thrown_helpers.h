@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QHash>
+#include <QRegularExpression>
 #include <algorithm>
 #include <map>
 #include <set>

@@ -4,7 +4,8 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QtTest>
+#include <QRegularExpression>
+#include <QTest>
 
 #include "../openigtlink/peer_process.h"
 #include "fake_operation.h"

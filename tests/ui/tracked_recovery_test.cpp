@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // While the video is followed what is not saved is kept as well, and frames do not wait for it.
+#include <QCoreApplication>
 #include <QMainWindow>
 #include <QProcess>
 #include <QSignalSpy>
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cstdio>

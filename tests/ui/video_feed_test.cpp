@@ -2,7 +2,8 @@
 // What goes wrong on the feed's thread ends the playing, never the program.
 #include "glisson/ui/guidance/video_feed.h"
 
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 #include <stdexcept>
 
 #include "glisson/core/files.h"

@@ -3,17 +3,21 @@
 // scheduling is the real one; what its commands compute is made by FakeOperation.
 #include <QApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDropEvent>
+#include <QFile>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTest>
 #include <QToolButton>
 #include <QTranslator>
-#include <QtTest>
+#include <QWheelEvent>
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"

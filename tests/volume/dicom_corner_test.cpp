@@ -3,7 +3,7 @@
 #include <gdcmImageReader.h>
 #include <gdcmImageWriter.h>
 
-#include <QtTest>
+#include <QTest>
 #include <functional>
 
 #include "dicom_bytes.h"

@@ -4,7 +4,7 @@
 #include <gdcmSequenceOfItems.h>
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <cstring>
 #include <random>
 

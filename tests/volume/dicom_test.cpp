@@ -4,7 +4,7 @@
 #include <itkImageFileWriter.h>
 #include <itkMetaDataObject.h>
 
-#include <QtTest>
+#include <QTest>
 #include <fstream>
 
 #include "glisson/core/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/stat.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "dicom_bytes.h"

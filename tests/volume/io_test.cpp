@@ -2,7 +2,7 @@
 #include "glisson/volume/io.h"
 #include "data_folder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What hospitals hand out: zip archives, and media with a DICOMDIR.
-#include <QtTest>
+#include <QTest>
 
 #include "complaint.h"
 #include "dicom_bytes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/volume/plausibility.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include "data_folder.h"
 #include "glisson/core/error.h"

@@ -2,7 +2,7 @@
 // The series of a folder as a hospital hands it out, made here file by file: told, judged and sorted.
 #include "glisson/volume/series.h"
 
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <functional>
 
