@@ -238,6 +238,7 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
       lesion.bright = lesion.bright || one.bright;
       lesion.borderless = lesion.borderless || one.borderless;
       lesion.goes_on = lesion.goes_on || one.goes_on;
+      lesion.unseen_mm = std::max(lesion.unseen_mm, one.unseen_mm);
       if (lesion.phi.values.empty()) {
         lesion.phi = std::move(one.phi);
         continue;

@@ -42,6 +42,11 @@ bool is_organ(const LesionScene& scene, std::size_t at) {
   return scene.organ.voxels.empty() || scene.organ.voxels[at] != 0;
 }
 
+/// So close under the organ's surface that what is outside is mixed in.
+bool is_mixed(const LesionScene& scene, std::size_t at) {
+  return !scene.mixed.voxels.empty() && scene.mixed.voxels[at] != 0;
+}
+
 Tissue tissue_of(std::vector<float> values, double low_sigma, double high_sigma) {
   const auto [middle, deviation] = robust_spread(std::move(values));
   return {middle, std::clamp(deviation, low_sigma, high_sigma)};
@@ -100,7 +105,9 @@ std::vector<float> evidence_in(const LesionScene& scene, const Evidence& evidenc
   std::vector<float> result(scene.ct.values.size(), static_cast<float>(-Evidence::kMost));
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (scene.barred.voxels[i] != 0 || (scene.organ.voxels.empty() && scene.ct.values[i] < kEmpty)) continue;
-    if (is_organ(scene, i))
+    if (is_mixed(scene, i))
+      result[i] = 0.0F;
+    else if (is_organ(scene, i))
       result[i] = static_cast<float>(evidence(scene.ct.values[i]));
     else if (in_bite && scene.bites.voxels[i] != 0)
       result[i] = static_cast<float>(evidence.in_bite(scene.ct.values[i]));
@@ -212,18 +219,28 @@ void carry_on(const Mask& core, double far_mm, Field& field) {
   }
 }
 
+/// How thick the layer under the organ's surface is in which the CT mixes it with what is outside, mm.
+double mixed_mm(const LesionScene& scene) {
+  constexpr double kMixed = 2.5;  // sigmas of the blur: 1 % is left
+  return kMixed * scene.blur_mm;
+}
+
 /// The scene as if the organ went on beyond its surface. Close under it the CT mixes liver with what is
-/// outside, and the mixture with fat or lung is as dark as a lesion: what lies beneath tells more.
+/// outside, and the mixture with fat or lung is as dark as a lesion. What lies beneath is carried on for
+/// whoever reads a tissue there, but it is no evidence: a lesion's blurred border would be a thick layer of
+/// it.
 LesionScene without_surface(LesionScene scene, const LesionClick& click) {
-  constexpr double kMixed = 2.5;   // sigmas of the blur: 1 % is left
   constexpr double kBeyond = 4.0;  // mm outside
   if (scene.organ.voxels.empty()) return scene;
   const bool in_bite = !is_organ(scene, scene.ct.offset(click.place));
   Mask outside = scene.ct.empty_mask();
   for (std::size_t i = 0; i < outside.voxels.size(); ++i)
     outside.voxels[i] = !is_organ(scene, i) && !(in_bite && scene.bites.voxels[i] != 0);
-  const double margin = kMixed * scene.blur_mm;
+  const double margin = mixed_mm(scene);
   const Mask core = complement(dilated(outside, margin));
+  scene.mixed = scene.ct.empty_mask();
+  for (std::size_t i = 0; i < outside.voxels.size(); ++i)
+    scene.mixed.voxels[i] = core.voxels[i] == 0 && outside.voxels[i] == 0;
   carry_on(core, margin + kBeyond, scene.raw);
   carry_on(core, margin + kBeyond, scene.ct);
   return scene;
@@ -284,6 +301,30 @@ bool ends_at_reach(const Star& star, double reach_mm) {
   return static_cast<double>(count) > kStray * static_cast<double>(star.radii.size());
 }
 
+/// Whether much of a body hangs on where its border lies in the mixed layer, of which the CT says nothing:
+/// its rays that end there may as well end where they enter it, or at the organ's surface.
+bool hangs_on_mixed(const LesionScene& scene, const Star& star) {
+  constexpr double kMuch = 0.2;  // of the volume
+  if (scene.mixed.voxels.empty()) return false;
+  const auto mixed_at = [&](std::size_t n, double radius_mm) {
+    const Vec p = star.middle + radius_mm * rays().way(n).cwiseQuotient(scene.ct.spacing_mm);
+    const Eigen::Vector3i v = p.array().round().matrix().cast<int>();
+    return scene.ct.contains(v) && is_mixed(scene, scene.ct.offset(v));
+  };
+  double volume = 0.0, least = 0.0, most = 0.0;
+  for (std::size_t n = 0; n < Rays::kCount; ++n) {
+    const double end = star.radius_mm(n);
+    double in = end, out = end;
+    // The last voxel within the organ ends up to a step before the boundary.
+    if (mixed_at(n, end) || mixed_at(n, end - Rays::kStep)) {
+      while (in > 0.0 && mixed_at(n, in - Rays::kStep)) in -= Rays::kStep;
+      while (mixed_at(n, out)) out += Rays::kStep;
+    }
+    volume += std::pow(end, 3), least += std::pow(std::max(0.0, in), 3), most += std::pow(out, 3);
+  }
+  return most - least > kMuch * volume;
+}
+
 /// A ball as it was drawn, but for what is barred and what is not in the liver.
 Field drawn_ball(const LesionScene& scene, const LesionClick& click) {
   const bool in_liver = is_organ(scene, scene.ct.offset(click.place));
@@ -329,7 +370,8 @@ GrownLesion grow_lesion(const LesionScene& given, const LesionClick& click) {
   const bool goes_on = ends_at_reach(star, begun.options.reach_mm);
   if (rim == 0.0) find_edge(scene, Evidence(begun.own, begun.liver, drawn), begun.liver.mean, star);
   return {distance_to(star, scene.ct, kBand),
-          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false, goes_on};
+          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false, goes_on,
+          hangs_on_mixed(scene, star) ? mixed_mm(scene) : 0.0};
 }
 
 LesionGuess guess_lesion(const LesionScene& scene, const LesionClick& click) {

@@ -12,6 +12,7 @@ struct LesionScene {
   Mask organ;            ///< the liver found so far; no voxels: not known yet
   Mask bites;            ///< what is missing in it to be round; as many voxels as `organ`
   Mask barred;           ///< of no lesion
+  Mask mixed = {};       ///< where the CT mixes the organ with what is outside; no voxels: nowhere
   double blur_mm = 0.0;  ///< sigma of what an abrupt border looks like in `raw`
 };
 
@@ -25,6 +26,7 @@ struct GrownLesion {
   bool bright = false;      ///< it enhances, or its rim does: what is bright in it is no vessel
   bool borderless = false;  ///< nothing was found where it was drawn: a ball of the diameter
   bool goes_on = false;     ///< it reaches as far as its border is looked for, and perhaps farther
+  double unseen_mm = 0.0;   ///< much of it hangs on a layer so thick under the surface, which the CT mixes
 };
 
 /// How far from a click a lesion is looked for, mm.
@@ -34,6 +36,7 @@ double lesion_reach_mm(double diameter_mm);
 /// (grow_star()), by the log likelihood ratio of the two tissues, both read at the place. A bright rim
 /// belongs to it where the median over all rays shows one; what only few rays meet is a vessel.
 /// Its boundary is the edge in the CT that was not denoised (move_to_edge()).
+/// Close under the organ's surface the CT says nothing: there its shape goes on as it comes.
 /// @return with a diameter there is always something: where no border is seen, a ball of that diameter.
 GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click);
 

@@ -283,6 +283,9 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodie
     if (!is_there || n >= bodies.lesions.size()) continue;
     if (bodies.lesions[n].borderless) report.notes.push_back(lesion + ".as_drawn");
     if (bodies.lesions[n].goes_on) report.notes.push_back(lesion + ".goes_on");
+    if (bodies.lesions[n].unseen_mm > 0.0)
+      report.notes.push_back(lesion + ".under_surface " +
+                             std::to_string(std::lround(std::ceil(bodies.lesions[n].unseen_mm))));
   }
 }
 

@@ -269,7 +269,7 @@ class Notes {
             {"liver_side", tr("the liver's side")},
             {"liver_back", tr("the liver's back")}};
   }
-  /// Sentences by what a lesion's code ends in; %1 is its name.
+  /// Sentences by what a lesion's code ends in; %1 is its name, %2 the note's first value.
   static QList<std::pair<QString, QString>> of_lesions() {
     return {
         {".not_found",
@@ -278,6 +278,10 @@ class Notes {
             "diameter, or paint it.")},
         {".goes_on", tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its "
                         "diameter.")},
+        {".under_surface",
+         tr("%1 reaches close under the liver's surface, where the CT mixes what lies within %2 mm of it "
+            "with what is outside: its border there goes on as its shape does, and whether liver covers it "
+            "is not seen. Check it in the slices.")},
         {".as_drawn", tr("%1: no border was found where its diameter was drawn. It is a ball of that "
                          "diameter: check it "
                          "in the slices.")},
@@ -330,8 +334,11 @@ QString note_text(std::string_view note) {
   }
   for (const auto& [ending, sentence] : Notes::of_lesions())
     if (code.endsWith(ending))
-      if (const QString structure = structure_named(code.chopped(ending.size())); !structure.isEmpty())
-        return sentence.arg(structure);
+      if (const QString structure = structure_named(code.chopped(ending.size())); !structure.isEmpty()) {
+        QString text = sentence;
+        text.replace(QLatin1String("%1"), structure);
+        return tokens.size() > 1 ? text.replace(QLatin1String("%2"), value_text(tokens[1])) : text;
+      }
   QString text = readable_code(code.toStdString());
   for (qsizetype i = 1; i < tokens.size(); ++i) text += QLatin1Char(' ') + value_text(tokens[i]);
   return text;
