@@ -6485,8 +6485,8 @@
         <translation>An ihren Klicks wurde keine Hohlvene gefunden: Was da war, bleibt.</translation>
     </message>
     <message>
-        <source>The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. Check it in the slices.</source>
-        <translation>Die Gallenblase hat %1 ml: Sie ist vielleicht in Flüssigkeit oder Darm daneben übergelaufen. In den Schichten prüfen.</translation>
+        <source>The gallbladder has %1 ml, more than a full one mostly has: it may have run on into a cyst, fluid or bowel beside it. Check it in the slices.</source>
+        <translation>Die Gallenblase hat %1 ml, mehr als eine volle meist hat: Sie ist vielleicht in eine Zyste, Flüssigkeit oder Darm daneben übergelaufen. In den Schichten prüfen.</translation>
     </message>
     <message>
         <source>Only %1 ml of the vena cava were found: its seeds may lie in a clot or tumour. Click it elsewhere, too, and segment again.</source>

@@ -6485,8 +6485,8 @@
         <translation>Aucune veine cave n&apos;a été trouvée à ses points : ce qui existait reste.</translation>
     </message>
     <message>
-        <source>The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. Check it in the slices.</source>
-        <translation>La vésicule a %1 ml : elle a peut-être débordé dans du liquide ou de l’intestin voisin. Vérifiez-la dans les coupes.</translation>
+        <source>The gallbladder has %1 ml, more than a full one mostly has: it may have run on into a cyst, fluid or bowel beside it. Check it in the slices.</source>
+        <translation>La vésicule a %1 ml, plus que n’en a d’ordinaire une vésicule pleine : elle a peut-être débordé dans un kyste, du liquide ou de l’intestin voisin. Vérifiez-la dans les coupes.</translation>
     </message>
     <message>
         <source>Only %1 ml of the vena cava were found: its seeds may lie in a clot or tumour. Click it elsewhere, too, and segment again.</source>

@@ -22,8 +22,10 @@ constexpr double kVesselSpacing = 1.0;  // mm
 constexpr double kVeinsBeyond = 5.0;
 /// The same beside a vena cava that was found: its mouth and rim count, too.
 constexpr double kVeinsBesideCava = 10.0;
-/// What is beyond these is hardly the whole organ, or more than it, ml.
-constexpr double kLeastCava = 8.0, kMostGallbladder = 200.0;
+/// Less is hardly the whole organ, ml.
+constexpr double kLeastCava = 8.0;
+/// A full gallbladder is up to 10 cm long and 4 cm wide: an ellipsoid of so much, ml.
+constexpr double kMostGallbladder = 84.0;
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -252,8 +254,8 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   return report;
 }
 
-/// A vena cava that ended at once, as behind a clot, and a gallbladder that ran on into what looks alike, as
-/// ascites does. @param labels of the whole image; a region may cut either.
+/// A vena cava that ended at once, as behind a clot, and a gallbladder that is distended or ran on into what
+/// looks alike, as ascites or a cyst does. @param labels of the whole image; a region may cut either.
 void note_sizes(const LabelVolume& labels, const Structures& found, SegmentationReport& report) {
   const double cava = ml_of(labels, structure::kVenaCava);
   const double gallbladder = ml_of(labels, structure::kGallbladder);

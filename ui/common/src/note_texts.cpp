@@ -61,8 +61,8 @@ class Notes {
          tr("Only %1 ml of the vena cava were found: its seeds may lie in a clot or tumour. Click it "
             "elsewhere, too, and segment again.")},
         {"gallbladder.large",
-         tr("The gallbladder has %1 ml: it may have run on into fluid or bowel beside it. "
-            "Check it in the slices.")},
+         tr("The gallbladder has %1 ml, more than a full one mostly has: it may have run on into a cyst, "
+            "fluid or bowel beside it. Check it in the slices.")},
         {"vena_cava.not_found", tr("No vena cava was found at its seeds: what there was stays.")},
         {"gallbladder.not_found", tr("No gallbladder was found at its seeds: what there was stays.")},
         {"liver.perhaps_mirrored",
