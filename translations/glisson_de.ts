@@ -6281,6 +6281,10 @@
         <translation>Das Bild endet in der Leber: %1 cm² ihrer Oberfläche sind ein Schnitt und keine Oberfläche. Nehmen Sie ein ganzes CT, oder registrieren Sie nichts, was dort liegt.</translation>
     </message>
     <message>
+        <source>Something denser than any bone, as metal is, lies in %1 slices of the liver or next to them: its streaks may have taken liver away or added to it. Check these slices.</source>
+        <translation>Etwas, das dichter ist als jeder Knochen, wie Metall, liegt in %1 Schichten der Leber oder daneben: Seine Streifen haben vielleicht Leber weggenommen oder hinzugefügt. Prüfen Sie diese Schichten.</translation>
+    </message>
+    <message>
         <source>Points of the cloud that were there twice were left out: %1.</source>
         <translation>Doppelte Punkte der Wolke wurden weggelassen: %1.</translation>
     </message>

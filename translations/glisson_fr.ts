@@ -6281,6 +6281,10 @@
         <translation>L&apos;image s&apos;arrête dans le foie : %1 cm² de sa surface sont une coupe et non une surface. Prenez un scanner entier, ou ne recalez rien de ce qui s&apos;y trouve.</translation>
     </message>
     <message>
+        <source>Something denser than any bone, as metal is, lies in %1 slices of the liver or next to them: its streaks may have taken liver away or added to it. Check these slices.</source>
+        <translation>Quelque chose de plus dense que tout os, comme du métal, est dans %1 coupes du foie ou à côté : ses stries ont peut-être enlevé ou ajouté du foie. Vérifiez ces coupes.</translation>
+    </message>
+    <message>
         <source>Points of the cloud that were there twice were left out: %1.</source>
         <translation>Des points en double du nuage ont été écartés : %1.</translation>
     </message>

@@ -67,6 +67,7 @@ class SegmentTest : public QObject {
   void ResultDoesNotDependOnTheStorageOrder();
   void TheSameInputGivesTheSameLabels();
   void AGallbladderThatRunsOnIsTold();
+  void MetalInTheLiversSlicesIsTold();
   void CancelledWorkGivesNothing();
   void ProgressRunsFromStartToEnd();
   void TheContourIsShownWhileItMoves();
@@ -163,6 +164,31 @@ void SegmentTest::AGallbladderThatRunsOnIsTold() {
     seeds.liver = test::points_at(image, {{62, 75, 75}, {80, 62, 45}});
     seeds.gallbladder = test::points_at(image, {{124, 62, 60}});
     QCOMPARE(told(segment(image, seeds, {}, RunContext()).value()), beside != Beside::fat);
+  }
+}
+
+void SegmentTest::MetalInTheLiversSlicesIsTold() {
+  // A ball of 6 mm beside the liver, a clip of one voxel in it, and nothing.
+  struct Metal {
+    Eigen::Vector3d at;
+    double radius;
+    bool told;
+  };
+  for (const Metal& metal : {Metal{{8, 8, 60}, 6.0, true}, Metal{{62, 62, 61.6}, 1.0, false}}) {
+    Image image = phantom_.image;
+    auto voxels = *image.voxels;
+    std::size_t at = 0;
+    for (int k = 0; k < image.grid.size.z(); ++k)
+      for (int j = 0; j < image.grid.size.y(); ++j)
+        for (int i = 0; i < image.grid.size.x(); ++i, ++at)
+          if ((Eigen::Vector3d(i, j, k).cwiseProduct(image.grid.spacing_mm) - metal.at).norm() < metal.radius)
+            voxels[at] = 3000;
+    QVERIFY(voxels != *image.voxels);
+    image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+    const auto notes = segment(image, clicks_in(image), {}, RunContext())->report.notes;
+    QCOMPARE(
+        std::ranges::any_of(notes, [](const std::string& note) { return note.starts_with("image.metal "); }),
+        metal.told);
   }
 }
 

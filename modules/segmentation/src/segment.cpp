@@ -239,6 +239,35 @@ std::optional<std::string> cava_note(const LabelVolume& labels, const std::vecto
          std::to_string(std::lround(ml));
 }
 
+/// Metal throws streaks across the slices that it lies in, and what they cross looks like no liver.
+/// @param image a CT.
+std::optional<std::string> metal_note(const Image& image, const LabelMap& labels) {
+  constexpr double kMetal = 2500.0;  // HU: no bone or stone is so dense
+  constexpr double kThing = 25.0;    // mm^2 in a slice: a clip for vessels is less
+  constexpr double kReach = 20.0;    // mm above and below the liver that was found: it may end at the streaks
+  const VolumeGrid& grid = image.grid;
+  int axis = 0;  // the image's axis that runs most nearly from foot to head
+  grid.direction.row(2).cwiseAbs().maxCoeff(&axis);
+  const std::vector<std::uint8_t> liver = inside_liver(labels);
+  std::vector<long> metal(static_cast<std::size_t>(grid.size[axis]), 0);
+  int first = grid.size[axis], last = -1;
+  std::size_t at = 0;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i, ++at) {
+        const int slice = Eigen::Vector3i(i, j, k)[axis];
+        metal[static_cast<std::size_t>(slice)] += (*image.voxels)[at] > kMetal;
+        if (liver[at] != 0) first = std::min(first, slice), last = std::max(last, slice);
+      }
+  const double spacing = grid.spacing_mm[axis], area = grid.voxel_volume_mm3() / spacing;
+  long slices = 0;
+  for (int n = 0; n < grid.size[axis]; ++n)
+    slices += spacing * (first - n) <= kReach && spacing * (n - last) <= kReach &&
+              area * static_cast<double>(metal[static_cast<std::size_t>(n)]) >= kThing;
+  if (last < 0 || slices == 0) return {};
+  return "image.metal " + std::to_string(slices);
+}
+
 SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   SegmentationReport report;
   const std::vector<std::uint8_t> liver = inside_liver(labels);
@@ -394,7 +423,10 @@ Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const Seg
   const double scaled = image.modality == Modality::ct ? 0.0 : 0.15;
   const auto on_scale = on_ct_scale(image, seeds, kept, context.part(0.0, scaled));
   if (!on_scale) return std::nullopt;
-  return segment_ct(*on_scale, seeds, options, context.part(scaled, 1.0), kept, show);
+  auto result = segment_ct(*on_scale, seeds, options, context.part(scaled, 1.0), kept, show);
+  if (!result || image.modality != Modality::ct) return result;
+  if (auto note = metal_note(image, result->labels)) result->report.notes.push_back(std::move(*note));
+  return result;
 }
 
 double dice(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
