@@ -8,8 +8,8 @@
 #include <QApplication>
 #include <QEventLoop>
 #include <QPushButton>
-#include <QTimer>
 #include <QTest>
+#include <QTimer>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

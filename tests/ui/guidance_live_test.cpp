@@ -2,9 +2,9 @@
 // What the guidance panel tells while the organ is followed, and of the last picture when it ends.
 #include <QLabel>
 #include <QPushButton>
+#include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <QTest>
 #include <atomic>
 
 #include "glisson/engine/commands/open_case.h"

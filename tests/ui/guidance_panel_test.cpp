@@ -3,8 +3,8 @@
 // organ is followed is in guidance_live_test.cpp.
 #include <QComboBox>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/load_video_frame.h"

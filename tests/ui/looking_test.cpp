@@ -2,7 +2,6 @@
 // What a person does in order to see: windows, a larger view, places pointed at in 3D.
 #include <QAction>
 #include <QApplication>
-#include <QCoreApplication>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
