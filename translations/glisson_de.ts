@@ -2928,6 +2928,10 @@
         <translation>hat die Bezeichnung %1, die es nicht gibt</translation>
     </message>
     <message>
+        <source>has two columns for &quot;%1&quot;: %2 and %3</source>
+        <translation>hat zwei Spalten für „%1“: %2 und %3</translation>
+    </message>
+    <message>
         <source>has a sigma that is no standard deviation</source>
         <translation>hat ein Sigma, das keine Standardabweichung ist</translation>
     </message>

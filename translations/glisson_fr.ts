@@ -2928,6 +2928,10 @@
         <translation>a l’étiquette %1, qui n’en est pas une</translation>
     </message>
     <message>
+        <source>has two columns for &quot;%1&quot;: %2 and %3</source>
+        <translation>a deux colonnes pour « %1 » : %2 et %3</translation>
+    </message>
+    <message>
         <source>has a sigma that is no standard deviation</source>
         <translation>a un sigma qui n’est pas un écart type</translation>
     </message>

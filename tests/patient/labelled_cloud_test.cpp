@@ -141,6 +141,19 @@ class LabelledCloudTest : public QObject {
     QVERIFY((read_cloud(path).normals.row(0) - Eigen::RowVector3d(0, 0.6, 0.8)).norm() < 1e-12);
   }
 
+  void ColumnsAreKnownAsOtherProgramsSpellThem() {
+    const auto path = file(ascii(xyz("property float scalar_Label\nproperty float scalar_sigma\n"),
+                                 "1 2 3 2 0.5\n4 5 6 3 0.25\n", 2));
+    const LabelledCloud cloud = read_cloud(path);  // as CloudCompare saves it
+    QVERIFY(cloud.feature(0) == Feature::anterior_margin && cloud.feature(1) == Feature::umbilical_notch);
+    QCOMPARE(cloud.sigma.size(), 2U);
+    QCOMPARE(cloud.sigma[1], 0.25e-3);
+    const LabelledCloud capitals = read_cloud(file(ascii(
+        "property float X\nproperty float Y\nproperty float Z\nproperty uchar LABEL\n", "1 2 3 2\n", 1)));
+    QCOMPARE(capitals.points(0, 2), 0.003);
+    QVERIFY(capitals.feature(0) == Feature::anterior_margin);
+  }
+
   void PointsWithoutALabelAreSurface() {
     const LabelledCloud cloud = read_cloud(file(ascii(xyz(), "1 2 3\n", 1)));
     QVERIFY(cloud.features.empty() && cloud.feature(0) == Feature::surface);
@@ -163,6 +176,8 @@ class LabelledCloudTest : public QObject {
     row("truncated binary", crowded_binary(false).substr(0, crowded_binary(false).size() - 30), "vertex 1");
     row("bad label", ascii(xyz("property int label\n"), "1 2 3 4\n", 1), "vertex 0");
     row("zero label", ascii(xyz("property int label\n"), "1 2 3 0\n", 1), "vertex 0");
+    row("two labels", ascii(xyz("property int label\nproperty float scalar_label\n"), "1 2 3 1 2\n", 1),
+        "vertex");
     row("negative sigma", ascii(xyz("property float sigma\n"), "1 2 3 -1\n", 1), "vertex 0");
     row("no points", ascii(xyz(), "", 0), "vertex");
     row("no vertices", "ply\nformat ascii 1.0\nend_header\n", "vertex");

@@ -27,10 +27,7 @@ class Columns {
   using Column = const std::vector<double>*;
 
   Columns(std::string file, const PlyElement& vertex) : file_(std::move(file)) {
-    const auto column = [&](const char* name) -> Column {
-      const auto found = vertex.scalars.find(name);
-      return found == vertex.scalars.end() ? nullptr : &found->second;
-    };
+    const auto column = [&](const char* name) { return column_named(vertex, name); };
     static constexpr const char* kNames[] = {"x", "y", "z", "nx", "ny", "nz"};
     for (int k = 0; k < 6; ++k) (k < 3 ? position_[k] : normal_[k - 3]) = column(kNames[k]);
     for (int k = 0; k < 3; ++k)
@@ -80,6 +77,24 @@ class Columns {
   }
 
  private:
+  /// A property of this name as programs spell it: in any case, and behind the "scalar_" that CloudCompare
+  /// puts before all that is neither place, colour nor normal. A label that is passed over takes margin and
+  /// notch with it.
+  Column column_named(const PlyElement& vertex, const std::string& name) const {
+    Column found = nullptr;
+    std::string first;
+    for (const auto& [spelt, values] : vertex.scalars) {
+      const std::string plain = lower_case(spelt);
+      if (plain != name && plain != "scalar_" + name) continue;
+      if (found != nullptr)
+        throw InputError(file_, "vertex", "has two columns for \"" + name + "\": " + first + " and " + spelt,
+                         kExport);
+      found = &values;
+      first = spelt;
+    }
+    return found;
+  }
+
   static std::string name(std::size_t row) { return "vertex " + std::to_string(row); }
 
   std::string file_;

@@ -25,6 +25,7 @@ const std::vector<const char*>& view_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a label code"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has a normal without a direction"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has the label %1, which is none"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "has two columns for \"%1\": %2 and %3"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has a sigma that is no standard deviation"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is missing: the file holds no points"),
       QT_TRANSLATE_NOOP(
