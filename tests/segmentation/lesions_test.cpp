@@ -117,6 +117,16 @@ Grown grown_in(const RoundCt& made, double radius_mm, bool drawn) {
           found.report.notes};
 }
 
+/// What of the true lesion was found, as a sentence.
+QString words_of(const Grown& one, double spacing_mm, double radius_mm, double deep_mm) {
+  return QString("voxels of %1 mm, radius %2, %3 mm deep: %4 of it, Dice %5")
+      .arg(spacing_mm)
+      .arg(radius_mm)
+      .arg(deep_mm)
+      .arg(one.ml)
+      .arg(one.dice);
+}
+
 }  // namespace
 
 class LesionsTest : public QObject {
@@ -179,11 +189,7 @@ void LesionsTest::AnAbruptBorderIsHalfWayDown() {
       for (const bool drawn : {false, true}) {
         const Grown one = grown_in(made, radius, drawn);
         QVERIFY2(std::abs(one.ml - 1.0) < 0.1 && one.dice > 0.9,
-                 qPrintable(QString("%1 mm, radius %2: %3 of it, Dice %4")
-                                .arg(spacing)
-                                .arg(radius)
-                                .arg(one.ml)
-                                .arg(one.dice)));
+                 qPrintable(words_of(one, spacing, radius, 48.0)));
       }
     }
 }
@@ -195,7 +201,7 @@ void LesionsTest::TheMixtureUnderTheSurfaceIsNotTheLesions() {
     for (const bool drawn : {false, true}) {
       const Grown one = grown_in(round_ct(kSpacing, kRadius12, deep), kRadius12, drawn);
       QVERIFY2(one.ml > 0.85 && one.ml < 1.15 && one.dice > 0.88,
-               qPrintable(QString("%1 mm deep: %2 of it, Dice %3").arg(deep).arg(one.ml).arg(one.dice)));
+               qPrintable(words_of(one, kSpacing, kRadius12, deep)));
     }
 }
 
@@ -204,13 +210,10 @@ void LesionsTest::LiverOverALesionIsNotFilledUp() {
   for (const double spacing : {1.0, 2.0})
     for (const double layer : {1.0, 2.0, 4.0})
       for (const bool drawn : {false, true}) {
-        const Grown one = grown_in(round_ct(spacing, kRadius8, kRadius8 + layer), kRadius8, drawn);
+        const double deep = kRadius8 + layer;
+        const Grown one = grown_in(round_ct(spacing, kRadius8, deep), kRadius8, drawn);
         QVERIFY2(std::abs(one.ml - 1.0) < 0.17 && one.dice > 0.9,
-                 qPrintable(QString("%1 mm, %2 mm over it: %3 of it, Dice %4")
-                                .arg(spacing)
-                                .arg(layer)
-                                .arg(one.ml)
-                                .arg(one.dice)));
+                 qPrintable(words_of(one, spacing, kRadius8, deep)));
       }
 }
 

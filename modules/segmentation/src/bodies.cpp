@@ -9,6 +9,7 @@
 #include "enclosed.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
+#include "glisson/volume/axes.h"
 #include "lesions.h"
 #include "level_set.h"
 #include "organs.h"
@@ -307,9 +308,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   else
     take_liver(*kept, ct, bodies);
   if (anew.vena_cava) {
-    int axis = 0;  // the image's axis that runs most nearly from foot to head
-    image.grid.direction.row(2).cwiseAbs().maxCoeff(&axis);
-    bodies.cava = follow_cava(ct, places(seeds.vena_cava), axis);
+    bodies.cava = follow_cava(ct, places(seeds.vena_cava), axis_along(image.grid, 2));
   } else {
     bodies.cava = known([](Label label) { return label == structure::kVenaCava; });
   }

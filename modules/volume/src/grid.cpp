@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/volume/grid.h"
 
+#include "glisson/volume/axes.h"
+
 namespace glisson {
 
 // Not in the header: some seven hundred units read it, and each would instantiate these expressions again.
@@ -25,6 +27,12 @@ bool VolumeGrid::same_as(const VolumeGrid& other) const {
     if ((p_in_ct(index).xyz - other.p_in_ct(index).xyz).norm() > tolerance) return false;
   }
   return true;
+}
+
+int axis_along(const VolumeGrid& grid, int of_patient) {
+  Eigen::Index axis = 0;
+  grid.direction.row(of_patient).cwiseAbs().maxCoeff(&axis);
+  return static_cast<int>(axis);
 }
 
 }  // namespace glisson

@@ -24,8 +24,8 @@ class Notes {
          tr("The image ends inside the liver: %1 cm² of its surface are a cut and no surface. Take a whole "
             "CT, or register nothing of what lies there.")},
         {"image.metal", tr("Something denser than any bone, as metal is, lies in %1 slices of the liver or "
-                           "next to them: its "
-                           "streaks may have taken liver away or added to it. Check these slices.")},
+                           "next to them: its streaks may have taken liver away or added to it. "
+                           "Check these slices.")},
         {"seed.liver_apart",
          tr("Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
             "between the two, or take it away.")},

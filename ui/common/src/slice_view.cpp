@@ -12,6 +12,7 @@
 #include "glisson/ui/common/slice_lines.h"
 #include "glisson/ui/scene/difference_overlay.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "glisson/volume/axes.h"
 #include "slice_measures.h"
 #include "slice_texts.h"
 
@@ -456,9 +457,7 @@ void SliceView::step(int slices) {
 double SliceView::step_length() const {
   // One slice is a voxel along the volume's axis that is closest to this plane's normal.
   const VolumeGrid& grid = state_.image()->grid;
-  Eigen::Index voxel_axis = 0;
-  grid.direction.row(scene::normal_axis(plane_)).cwiseAbs().maxCoeff(&voxel_axis);
-  return 1e-3 * grid.spacing_mm[voxel_axis];
+  return 1e-3 * grid.spacing_mm[axis_along(grid, scene::normal_axis(plane_))];
 }
 
 void SliceView::leaveEvent(QEvent*) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "glisson/core/error.h"
+#include "glisson/volume/axes.h"
 
 namespace glisson::ui {
 
@@ -41,9 +42,7 @@ std::string tool_table(const EditTools& tools) {
 }
 
 int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane) {
-  Eigen::Index axis = 0;
-  grid.direction.row(scene::normal_axis(plane)).cwiseAbs().maxCoeff(&axis);
-  return static_cast<int>(axis);
+  return axis_along(grid, scene::normal_axis(plane));
 }
 
 bool is_among(const std::vector<Label>& labels, Label label) {
