@@ -6517,8 +6517,8 @@
         <translation>%1 reicht so weit, wie ein Klick nach ihrem Rand sucht, und vielleicht weiter: Zeichnen Sie ihren Durchmesser.</translation>
     </message>
     <message>
-        <source>%1 reaches close under the liver&apos;s surface, where the CT mixes what lies within %2 mm of it with what is outside: its border there goes on as its shape does, and whether liver covers it is not seen. Check it in the slices.</source>
-        <translation>%1 reicht bis nahe unter die Leberoberfläche. Was weniger als %2 mm unter ihr liegt, vermischt das CT mit dem, was außen ist: Ihr Rand läuft dort weiter, wie es ihre Form vorgibt, und ob Leber sie bedeckt, ist nicht zu sehen. Prüfen Sie sie in den Schichten.</translation>
+        <source>%1 comes within %2 mm of the liver&apos;s surface, where the CT does not show its border: whether liver covers it is not known. Check it in the slices.</source>
+        <translation>%1 kommt der Leberoberfläche auf weniger als %2 mm nahe, wo das CT ihren Rand nicht zeigt: Ob Leber sie bedeckt, ist nicht bekannt. Prüfen Sie sie in den Schichten.</translation>
     </message>
     <message>
         <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>

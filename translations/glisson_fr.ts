@@ -6517,8 +6517,8 @@
         <translation>%1 va aussi loin qu&apos;un clic cherche son bord, et peut-être plus loin : dessinez son diamètre.</translation>
     </message>
     <message>
-        <source>%1 reaches close under the liver&apos;s surface, where the CT mixes what lies within %2 mm of it with what is outside: its border there goes on as its shape does, and whether liver covers it is not seen. Check it in the slices.</source>
-        <translation>%1 arrive tout près de la surface du foie. Ce qui est à moins de %2 mm de celle-ci, le scanner le mélange à ce qui est dehors : son bord y suit sa forme, et on ne voit pas si du foie la recouvre. Vérifiez-la dans les coupes.</translation>
+        <source>%1 comes within %2 mm of the liver&apos;s surface, where the CT does not show its border: whether liver covers it is not known. Check it in the slices.</source>
+        <translation>%1 arrive à moins de %2 mm de la surface du foie, là où le scanner ne montre pas son bord : on ne sait pas si du foie la recouvre. Vérifiez-la dans les coupes.</translation>
     </message>
     <message>
         <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>

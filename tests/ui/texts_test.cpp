@@ -62,9 +62,8 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
               "check it in the slices."));
   QCOMPARE(
       ui::note_text("lesion_2.under_surface 4"),
-      QString("Lesion 2 reaches close under the liver's surface, where the CT mixes what lies within 4 mm of "
-              "it with what is outside: its border there goes on as its shape does, and whether liver covers "
-              "it is not seen. Check it in the slices."));
+      QString("Lesion 2 comes within 4 mm of the liver's surface, where the CT does not show its border: "
+              "whether liver covers it is not known. Check it in the slices."));
   QCOMPARE(
       ui::note_text("look.surface lesion_2 left_underside 6.2 3.1"),
       QString("Lesion 2: one more look helps most at the left lobe's underside. Expected error then 3.1 mm "

@@ -282,9 +282,8 @@ class Notes {
         {".goes_on", tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its "
                         "diameter.")},
         {".under_surface",
-         tr("%1 reaches close under the liver's surface, where the CT mixes what lies within %2 mm of it "
-            "with what is outside: its border there goes on as its shape does, and whether liver covers it "
-            "is not seen. Check it in the slices.")},
+         tr("%1 comes within %2 mm of the liver's surface, where the CT does not show its border: whether "
+            "liver covers it is not known. Check it in the slices.")},
         {".as_drawn", tr("%1: no border was found where its diameter was drawn. It is a ball of that "
                          "diameter: check it "
                          "in the slices.")},

@@ -30,13 +30,10 @@ NetworkBox::NetworkBox(EngineBridge& engine, QWidget* parent) : QWidget(parent),
   run_->watch(command());
   run_->hide();
   column->addWidget(run_);
-  notes_ = make_explanation({}, this);
-  notes_->hide();
+  notes_ = make_warning(this);
   column->addWidget(notes_);
-  connect(run_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
-    notes_->setText(notes_text(outcome.notes));
-    notes_->setVisible(!outcome.notes.empty());
-  });
+  connect(run_, &TaskButton::done, this,
+          [this](const engine::Outcome& outcome) { show_warning(*notes_, notes_text(outcome.notes)); });
   connect(&engine_, &EngineBridge::case_changed, this, [this] {
     if (engine_.state()[part::image] == image_) return;
     image_ = engine_.state()[part::image];

@@ -112,8 +112,7 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
   for (const TaskButton* button : {run_, propose_})
     connect(button, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
       if (outcome.status != engine::Status::done) return;
-      notes_->setText(notes_text(outcome.notes));
-      notes_->setVisible(!outcome.notes.empty());
+      show_warning(*notes_, notes_text(outcome.notes));
     });
   show_case();
 }
@@ -236,8 +235,7 @@ void SeedBox::build_growth() {
   propose_->setToolTip(tr("Looks for the liver without a click in it: seeds that you can delete or add to."));
   propose_->watch(engine::ProposeSeeds{});
   column_of(this)->addWidget(propose_);
-  notes_ = make_explanation({}, this);
-  notes_->hide();
+  notes_ = make_warning(this);
   column_of(this)->addWidget(notes_);
   network_ = new NetworkBox(engine_, this);
   column_of(this)->addWidget(network_);
