@@ -8918,6 +8918,10 @@
         <translation>in silico: Wahrheit in den 95-%-Ellipsoiden, höchstens</translation>
     </message>
     <message>
+        <source>registration with the atlas&apos;s landmarks: error over that with none</source>
+        <translation>Registrierung mit den Landmarken des Atlas: Fehler über dem ohne Landmarken</translation>
+    </message>
+    <message>
         <source>registration: two patients of either set and one share that is seen; pulled: two organs of a kind.</source>
         <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil; pulled: zwei Organe jeder Art.</translation>
     </message>

@@ -8918,6 +8918,10 @@
         <translation>in silico : vérité dans les ellipsoïdes à 95 %, au plus</translation>
     </message>
     <message>
+        <source>registration with the atlas&apos;s landmarks: error over that with none</source>
+        <translation>recalage avec les repères de l&apos;atlas : erreur sur celle sans repères</translation>
+    </message>
+    <message>
         <source>registration: two patients of either set and one share that is seen; pulled: two organs of a kind.</source>
         <translation>registration : deux patients de chaque ensemble et une seule part visible ; pulled : deux organes de chaque sorte.</translation>
     </message>

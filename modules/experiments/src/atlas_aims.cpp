@@ -66,6 +66,9 @@ const std::vector<Aim>& atlas_aims() {
       {"synthetic_inside_share",
        QT_TRANSLATE_NOOP("cli", "in silico: truth within the 95 % ellipsoids, at most"), in_silico, at_most,
        0.98, 3},
+      {"effect_atlas_over_none",
+       QT_TRANSLATE_NOOP("cli", "registration with the atlas's landmarks: error over that with none"),
+       in_silico, at_most, 1.0, 2},
   };
   return kAims;
 }

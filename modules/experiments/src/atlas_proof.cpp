@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/stopwatch.h"
 #include "glisson/experiments/atlas_livers.h"
+#include "landmark_effect.h"
 
 namespace glisson::experiments {
 namespace {
@@ -80,7 +81,8 @@ class Proof {
   Proof(const AtlasProofOptions& options, const RunContext& context) : options_(options), context_(context) {}
 
   Cancellable<AtlasProof> run() {
-    if (options_.synthetic && !synthetic(context_.part(0.0, 0.2))) return {};
+    if (options_.synthetic && !synthetic(context_.part(0.0, 0.1))) return {};
+    if (options_.synthetic && !effect(context_.part(0.1, 0.35))) return {};
     std::vector<std::string> names = label_map_names(options_.data);
     if (!options_.validation)
       std::erase_if(names, [](const std::string& name) { return !is_for_development(name); });
@@ -88,10 +90,10 @@ class Proof {
       proof_.absent.emplace_back("liver_labelmaps");
       return std::move(proof_);
     }
-    if (!read(names, context_.part(0.2, 0.35))) return {};
+    if (!read(names, context_.part(0.35, 0.45))) return {};
     proof_.table.emplace_back("liver  foretold  surface cava mm area mm  portal     bed  unusual");
-    if (!built_in(context_.part(0.35, 0.5))) return {};
-    if (!real(context_.part(0.5, 1.0))) return {};
+    if (!built_in(context_.part(0.45, 0.55))) return {};
+    if (!real(context_.part(0.55, 1.0))) return {};
     return std::move(proof_);
   }
 
@@ -111,6 +113,18 @@ class Proof {
     const auto result = built(members, context);
     if (!result) return false;
     add(proof_.figures, "synthetic_", result->left_out);
+    return true;
+  }
+
+  bool effect(const RunContext& context) {
+    LandmarkEffectOptions options;
+    options.atlas = options_.built_in;
+    options.seed = options_.seed;
+    auto measured = measure_landmark_effect(options, context);
+    if (!measured) return false;
+    proof_.figures.merge(measured->figures);
+    proof_.table = std::move(measured->table);
+    proof_.table.emplace_back();
     return true;
   }
 

@@ -13,7 +13,8 @@
 
 /// @file
 /// The atlas, measured: on livers of the synthetic population, whose landmarks are known by formula, and on
-/// real livers whose labels show vena cava, portal vein and gallbladder.
+/// real livers whose labels show vena cava, portal vein and gallbladder; and what its landmarks are worth to
+/// a registration (in silico).
 
 namespace glisson::experiments {
 
@@ -32,10 +33,11 @@ struct AtlasProofOptions {
 /// What was measured of the landmarks that an atlas foretells.
 struct AtlasProof {
   /// Keys begin with "synthetic_" (in silico), "real_" (each real liver by all others; "real_even_" for those
-  /// that served development, "real_odd_" for validation), "built_in_" (real livers by the built-in atlas).
+  /// that served development, "real_odd_" for validation), "built_in_" (real livers by the built-in atlas),
+  /// "effect_" (landmark_effect.h, in silico).
   Figures figures;
   std::vector<std::string> absent;  ///< real data that were left out
-  std::vector<std::string> table;   ///< a row a real liver
+  std::vector<std::string> table;   ///< a row a source of landmarks, then a row a real liver
 };
 const std::vector<Aim>& atlas_aims();
 

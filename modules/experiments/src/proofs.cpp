@@ -122,7 +122,9 @@ constexpr Proof kProofs[] = {
      "foretold by the others; the real ones by the built-in atlas, too. Truth of the real ones is what their "
      "labels show: vena cava, portal vein, gallbladder. The vena cava is judged twice: by its contact (mean "
      "distance between both areas, both ways) and by its course (five middle points of it), which a contact "
-     "that is a little longer or shorter moves.",
+     "that is a little longer or shorter moves. And what landmarks are worth to a registration (in silico): "
+     "the same clouds, 30 % seen, with none, with a person's, with a person's whose notch is 17.5 mm off, "
+     "and with the atlas's, all accepted.",
      atlas_aims, run_atlas},
 };
 

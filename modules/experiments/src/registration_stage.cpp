@@ -150,7 +150,8 @@ Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const st
     stage.handled.push_back(std::move(*handled));
     done += 0.15;
   }
-  stage.model.landmarks = clicked(stage.model.landmarks, stage.handled.front().landmarks(), seed);
+  stage.found = stage.model.landmarks;
+  stage.model.landmarks = clicked(stage.found, stage.handled.front().landmarks(), seed);
   stage.lesions = deep_places(stage.model, context.random("prove.lesions"));
   // The model knows of them, so that it may doubt their places; beside those that the patient has.
   for (Eigen::Index i = 0; i < stage.lesions.rows(); ++i) {

@@ -16,6 +16,7 @@ namespace glisson::experiments {
 struct RegistrationStage {
   ProofPatient patient;
   PatientModel model;  ///< that is registered; notch and vena cava as a person clicked them
+  Landmarks found;     ///< what the model shows by itself, before anybody clicked; CT frame
   std::vector<insilico::HandledLiver> handled;  ///< in the order of insilico::kHandlings
   Points lesions;  ///< three places deep in the liver and far from each other, CT frame
 
