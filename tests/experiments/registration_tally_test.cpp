@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the proof of the registration says of its trials.
+#include <Eigen/Core>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
+#include "glisson/core/random.h"
 #include "glisson/experiments/aims.h"
 #include "registration_trials.h"
 
@@ -46,7 +49,30 @@ class RegistrationTallyTest : public QObject {
   void AMethodThatWasNotTriedHasNoError();
   void MethodsAreComparedOnTheSameRegistrations();
   void WhatIsWrittenIsReadAgain();
+  void EvenRightExpectationsCorrelateOnlySoFar();
 };
+
+/// Errors drawn from just the distributions that are expected.
+void RegistrationTallyTest::EvenRightExpectationsCorrelateOnlySoFar() {
+  constexpr double kMeanOfThree = 1.5957691216;  // of the length of three standard normal numbers
+  std::mt19937_64 random(5);
+  RegistrationTrial one = trial(5e-3, 8e-3);
+  one.lesions.clear();
+  for (int i = 0; i < 20000; ++i) {
+    const double sigma = 1e-3 * (1.0 + 4.0 * uniform01(random));
+    const Eigen::Vector3d off(standard_normal(random), standard_normal(random), standard_normal(random));
+    one.expected.push_back(kMeanOfThree * sigma);
+    one.lesions.push_back(sigma * off.norm());
+  }
+  one.covered.assign(one.expected.size(), 1);
+  RegistrationProof proof = proof_of({one});
+  const double found = proof.figures["registration_validation_expected_correlation"],
+               best = proof.figures["registration_validation_expected_correlation_at_best"];
+  QVERIFY2(std::abs(found - best) < 0.02 && best < 0.8, qPrintable(QString("%1, %2").arg(found).arg(best)));
+  // All are expected alike: nothing can be told apart.
+  std::fill(one.expected.begin(), one.expected.end(), 3e-3);
+  QVERIFY(std::isnan(proof_of({one}).figures["registration_validation_expected_correlation_at_best"]));
+}
 
 void RegistrationTallyTest::WhatDidNotHappenMeetsNoAim() {
   const RegistrationProof between = proof_of({trial(5e-3, 8e-3)});  // neither far nor near

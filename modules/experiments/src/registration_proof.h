@@ -39,6 +39,7 @@ struct RegistrationProofOptions {
 /// How far off registrations were, and whether they said so.
 struct RegistrationProof {
   /// Keys begin with "registration_development_" or "registration_validation_".
+  /// "expected_correlation_at_best" is what "expected_correlation" would be if every expectation were right.
   Figures figures;
   std::vector<std::string> table;   ///< of both sets, validation first
   std::vector<std::string> absent;  ///< real data that were left out

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -77,6 +78,19 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return n > 2 && aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : std::nan("");
 }
 
+/// What the correlation of expected with found errors is where the expectations are right, and errors are
+/// even in three directions. There an error is its expectation times a number of mean 1 and variance kSpread
+/// (of the chi distribution with three degrees of freedom): errors scatter however well they are foretold.
+double best_correlation(const std::vector<double>& expected) {
+  constexpr double kSpread = 3.0 * std::numbers::pi / 8.0 - 1.0;
+  double sum = 0.0, squares = 0.0;
+  for (const double value : expected) sum += value, squares += value * value;
+  const auto n = static_cast<double>(expected.size());
+  const double mean = sum / n, square = squares / n, variance = square - mean * mean;
+  return n > 2 && variance > 1e-9 * square ? std::sqrt(variance / (square * (1.0 + kSpread) - mean * mean))
+                                           : std::nan("");
+}
+
 void add_expected(const std::vector<RegistrationTrial>& trials, const std::string& prefix,
                   RegistrationProof& proof) {
   std::vector<double> expected, found;
@@ -92,6 +106,7 @@ void add_expected(const std::vector<RegistrationTrial>& trials, const std::strin
   }
   if (asked == 0) return;
   proof.figures[prefix + "expected_correlation"] = correlation(expected, found);
+  proof.figures[prefix + "expected_correlation_at_best"] = best_correlation(expected);
   proof.figures[prefix + "expected_coverage"] = covered / static_cast<double>(asked);
   proof.figures[prefix + "expected_outside"] = (asked - covered) / static_cast<double>(asked);
   Mean of_expected, of_found;
