@@ -928,8 +928,8 @@
         <translation>ist gesperrt</translation>
     </message>
     <message>
-        <source>has no click for or against the liver that the case does not have</source>
-        <translation>hat keinen Klick für oder gegen die Leber, den der Fall nicht hat</translation>
+        <source>has no click on the liver, beside it, on its veins or on a lesion that the case does not have</source>
+        <translation>hat keinen Klick auf die Leber, neben sie, auf ihre Venen oder auf eine Läsion, den der Fall nicht hat</translation>
     </message>
     <message>
         <source>has no point</source>
@@ -9010,8 +9010,8 @@
         <translation>Die Leber ohne einen Klick suchen. Sehen Sie sich an, was daraus wird.</translation>
     </message>
     <message>
-        <source>Correct the case&apos;s labels around the clicks for and against the liver that the case does not have yet; the labels elsewhere stay.</source>
-        <translation>Die Labels des Falls um die Klicks für und gegen die Leber korrigieren, die der Fall noch nicht hat; anderswo bleiben die Labels.</translation>
+        <source>Correct the case&apos;s labels around the clicks on the liver, beside it, on its veins and on lesions that the case does not have yet; the labels elsewhere stay.</source>
+        <translation>Die Labels des Falls um die Klicks auf die Leber, neben sie, auf ihre Venen und auf Läsionen korrigieren, die der Fall noch nicht hat; anderswo bleiben die Labels.</translation>
     </message>
     <message>
         <source>Listens at this address and tells programs that connect by OpenIGTLink (3D Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address 127.0.0.1:18944, which other computers do not reach; port 0: a free one.</source>
@@ -11523,12 +11523,12 @@
 <context>
     <name>glisson::ui::ClickBox</name>
     <message>
-        <source>Clicks correct the liver at once</source>
-        <translation>Klicks korrigieren die Leber sofort</translation>
+        <source>Clicks correct at once</source>
+        <translation>Klicks korrigieren sofort</translation>
     </message>
     <message>
-        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
-        <translation>Wo es Labels gibt, ändert ein Klick auf Leber, die sie auslassen, oder auf das, was keine Leber ist, sie um ihn herum und sonst nirgends. Ein Schritt zurück: Strg+Z.</translation>
+        <source>Where there are labels, a click on the liver that they leave out, on what is not liver, on a vein or on a lesion changes them around it and nowhere else. One step back: Ctrl+Z.</source>
+        <translation>Wo es Labels gibt, ändert ein Klick auf Leber, die sie auslassen, auf das, was keine Leber ist, auf eine Vene oder auf eine Läsion sie um ihn herum und sonst nirgends. Ein Schritt zurück: Strg+Z.</translation>
     </message>
     <message>
         <source>With labels there: click what is missing, or too much.</source>

@@ -928,8 +928,8 @@
         <translation>est verrouillé</translation>
     </message>
     <message>
-        <source>has no click for or against the liver that the case does not have</source>
-        <translation>n’a aucun clic pour ou contre le foie que le cas n’ait déjà</translation>
+        <source>has no click on the liver, beside it, on its veins or on a lesion that the case does not have</source>
+        <translation>n’a aucun clic sur le foie, à côté de lui, sur ses veines ou sur une lésion que le cas n’ait déjà</translation>
     </message>
     <message>
         <source>has no point</source>
@@ -9010,8 +9010,8 @@
         <translation>Chercher le foie sans un clic. Regardez ce qui en résulte.</translation>
     </message>
     <message>
-        <source>Correct the case&apos;s labels around the clicks for and against the liver that the case does not have yet; the labels elsewhere stay.</source>
-        <translation>Corriger les étiquettes du cas autour des clics pour et contre le foie que le cas n’a pas encore ; ailleurs les étiquettes restent.</translation>
+        <source>Correct the case&apos;s labels around the clicks on the liver, beside it, on its veins and on lesions that the case does not have yet; the labels elsewhere stay.</source>
+        <translation>Corriger les étiquettes du cas autour des clics sur le foie, à côté de lui, sur ses veines et sur des lésions que le cas n’a pas encore ; ailleurs les étiquettes restent.</translation>
     </message>
     <message>
         <source>Listens at this address and tells programs that connect by OpenIGTLink (3D Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address 127.0.0.1:18944, which other computers do not reach; port 0: a free one.</source>
@@ -11523,12 +11523,12 @@
 <context>
     <name>glisson::ui::ClickBox</name>
     <message>
-        <source>Clicks correct the liver at once</source>
-        <translation>Les clics corrigent le foie aussitôt</translation>
+        <source>Clicks correct at once</source>
+        <translation>Les clics corrigent aussitôt</translation>
     </message>
     <message>
-        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
-        <translation>Là où il y a des étiquettes, un clic sur du foie qu’elles omettent, ou sur ce qui n’est pas du foie, les change autour de lui et nulle part ailleurs. Un pas en arrière : Ctrl+Z.</translation>
+        <source>Where there are labels, a click on the liver that they leave out, on what is not liver, on a vein or on a lesion changes them around it and nowhere else. One step back: Ctrl+Z.</source>
+        <translation>Là où il y a des étiquettes, un clic sur du foie qu’elles omettent, sur ce qui n’est pas du foie, sur une veine ou sur une lésion les change autour de lui et nulle part ailleurs. Un pas en arrière : Ctrl+Z.</translation>
     </message>
     <message>
         <source>With labels there: click what is missing, or too much.</source>

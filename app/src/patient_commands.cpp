@@ -143,20 +143,26 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
 void correct_by_seeds(Session& session, const fs::path& path, const std::vector<Label>& locked) {
   const auto known = session.state()[part::seeds];
   const segmentation::Seeds seeds = segmentation::read_seeds(path);
-  const auto added = segmentation::clicks_added(known ? *known : segmentation::Seeds{}, seeds);
-  if (added.empty())
-    throw InputError(path.string(), "", "has no click for or against the liver that the case does not have",
-                     "Add one, or leave --correct out");
+  const segmentation::Seeds before = known ? *known : segmentation::Seeds{};
+  const auto added = segmentation::clicks_added(before, seeds);
+  const auto grown = segmentation::structure_clicks_added(before, seeds);
+  if (added.empty() && grown.empty())
+    throw InputError(
+        path.string(), "",
+        "has no click on the liver, beside it, on its veins or on a lesion that the case does not "
+        "have",
+        "Add one, or leave --correct out");
   session.post(engine::SetSeeds{seeds});
-  session.post(engine::CorrectAround{added, seeds, locked});
+  session.post(engine::CorrectAround{added, seeds, locked, grown});
 }
 
 void declare_segment(Arguments& arguments) {
   declare_case(arguments);
   arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
-  arguments.flag("correct",
-                 Cli::tr("Correct the case's labels around the clicks for and against the liver that the "
-                         "case does not have yet; the labels elsewhere stay."));
+  arguments.flag(
+      "correct",
+      Cli::tr("Correct the case's labels around the clicks on the liver, beside it, on its veins and "
+              "on lesions that the case does not have yet; the labels elsewhere stay."));
   arguments.flag("propose", Cli::tr("Look for the liver without a click in it. Look at what comes of it."));
   arguments.option("resolution", Cli::tr("Of the liver's contour, mm."), "MM",
                    engine::Segment().options.working_spacing_mm);

@@ -145,7 +145,7 @@ void PatientCommandsTest::OneMoreClickCorrectsAroundItOnly() {
   const QStringList segment = {"segment", "--case", "a.glisson"};
   QCOMPARE(run(segment + QStringList{"--seeds", "one.json", "--json", "before.json"}).code, 0);
   refused(segment + QStringList{"--seeds", "one.json", "--correct"},
-          "has no click for or against the liver that the case does not have");
+          "has no click on the liver, beside it, on its veins or on a lesion that the case does not have");
   refused(segment + QStringList{"--seeds", "two.json", "--correct", "--propose"},
           "--correct, --propose: give one of them", 2);
   const Ran ran = run(segment + QStringList{"--seeds", "two.json", "--correct", "--json", "after.json"});

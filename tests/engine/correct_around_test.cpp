@@ -62,6 +62,7 @@ class CorrectAroundTest : public QObject {
   void AClickIsAStepThatCanBeUndone_data() { both_runners(); }
   void AClickIsAStepThatCanBeUndone();
   void SeveralClicksAreOneStepAndCountTogether();
+  void AClickOnAVesselIsAStepOfIts();
   void WhatWasApprovedIsToBeLookedAtAgain();
   void AClickThatSaysNothingNewOutdatesNothing();
   void WithoutLabelsThereIsNothingToCorrect();
@@ -96,6 +97,18 @@ void CorrectAroundTest::SeveralClicksAreOneStepAndCountTogether() {
   QVERIFY(std::abs(outcome.figures.at("changed_ml") - (ml_of(*engine) - before)) < 1e-6);
   QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
   QCOMPARE(ml_of(*engine), before);
+}
+
+void CorrectAroundTest::AClickOnAVesselIsAStepOfIts() {
+  const auto engine = engine_of(Runner::inline_, true);
+  const auto before = engine->snapshot()->state[part::labels];
+  // In a ball of one tissue there is no vessel: said, and nothing else.
+  CorrectAround command;
+  command.grown = {{structure::kPortalVein, Point<CtFrame>(kMiddle)}};
+  const Outcome outcome = done(*engine, command);
+  QCOMPARE(outcome.status, Status::done);
+  QCOMPARE(outcome.notes, std::vector<std::string>{"portal_vein.not_found"});
+  QCOMPARE(engine->snapshot()->state[part::labels], before);
 }
 
 void CorrectAroundTest::WhatWasApprovedIsToBeLookedAtAgain() {

@@ -10,7 +10,9 @@ const std::vector<const char*>& work_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "has changed since it was looked at"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is another case"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "has no click for or against the liver that the case does not have"),
+      QT_TRANSLATE_NOOP(
+          "ErrorPhrases",
+          "has no click on the liver, beside it, on its veins or on a lesion that the case does not have"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is locked"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 100 MB, more than any list needs"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no voxel of %1 within 5 mm"),

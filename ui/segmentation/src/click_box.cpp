@@ -19,11 +19,11 @@ ClickBox::ClickBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), eng
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
-  at_once_ = new QCheckBox(tr("Clicks correct the liver at once"), this);
+  at_once_ = new QCheckBox(tr("Clicks correct at once"), this);
   at_once_->setObjectName(QStringLiteral("correct_at_once"));
   at_once_->setToolTip(
-      tr("Where there are labels, a click on the liver that they leave out, or on what is not liver, changes "
-         "them around it and nowhere else. One step back: Ctrl+Z."));
+      tr("Where there are labels, a click on the liver that they leave out, on what is not liver, on a vein "
+         "or on a lesion changes them around it and nowhere else. One step back: Ctrl+Z."));
   at_once_->setChecked(true);
   column->addWidget(at_once_);
   words_ = make_explanation({}, this);
@@ -43,12 +43,19 @@ ClickBox::ClickBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), eng
   show_case();
 }
 
-void ClickBox::correct(const segmentation::Click& click, const segmentation::Seeds& seeds) {
+void ClickBox::correct(Label structure, const Point<CtFrame>& p_in_ct, const segmentation::Seeds& seeds) {
   const auto& state = engine_.state();
   const bool there = state[part::labels] && state[part::image] &&
                      state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
-  if (!at_once_->isChecked() || !there || locked_.contains(structure::kParenchyma)) return;
-  waiting_.insert(engine_.post(engine::CorrectAround{{click}, seeds, {locked_.begin(), locked_.end()}}));
+  const bool is_liver = structure == structure::kParenchyma || structure == structure::kBackground;
+  if (!at_once_->isChecked() || !there || (!is_liver && !segmentation::grows_around(structure))) return;
+  if (locked_.contains(structure::kParenchyma) || locked_.contains(structure)) return;
+  engine::CorrectAround command{{}, seeds, {locked_.begin(), locked_.end()}};
+  if (is_liver)
+    command.clicks.push_back({p_in_ct, structure == structure::kParenchyma});
+  else
+    command.grown.push_back({structure, p_in_ct});
+  waiting_.insert(engine_.post(std::move(command)));
   words_->setText(tr("Correcting around the click…"));
 }
 
@@ -58,12 +65,15 @@ void ClickBox::tell(const engine::Outcome& outcome) {
     words_->setText(error_text(outcome.error));
   else if (outcome.status != engine::Status::done)
     words_->setText(tr("Not corrected."));
+  else if (figure("voxels_changed") > 0.0)
+    words_->setText(QStringList{tr("Corrected around the click: %1 ml, up to %2 mm from it.")
+                                    .arg(figure("changed_ml"), 0, 'f', 1)
+                                    .arg(qRound(figure("reach_mm"))),
+                                notes_text(outcome.notes)}
+                        .join(QLatin1Char('\n'))
+                        .trimmed());
   else if (!outcome.notes.empty())
     words_->setText(notes_text(outcome.notes));
-  else if (figure("voxels_changed") > 0.0)
-    words_->setText(tr("Corrected around the click: %1 ml, up to %2 mm from it.")
-                        .arg(figure("changed_ml"), 0, 'f', 1)
-                        .arg(qRound(figure("reach_mm"))));
   else
     words_->setText(tr("The labels say already what the click says."));
 }

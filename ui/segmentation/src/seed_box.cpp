@@ -315,8 +315,7 @@ void SeedBox::place(const Point<CtFrame>& p) {
   if (!structure_) return;
   add_seed(seeds_, *structure_, p.xyz);
   store();
-  if (*structure_ == structure::kParenchyma || *structure_ == structure::kBackground)
-    correction_->correct({p, *structure_ == structure::kParenchyma}, seeds_);
+  correction_->correct(*structure_, p, seeds_);
 }
 
 void SeedBox::draw_lesion(const SliceGesture& gesture) {
@@ -331,9 +330,11 @@ void SeedBox::draw_lesion(const SliceGesture& gesture) {
   if (gesture.phase != SliceGesture::Phase::end) return;
   drawn_from_.reset();
   views_.set_line(nullptr);
-  add_seed(seeds_, *structure_, drawn ? middle : gesture.p.xyz);
+  const Eigen::Vector3d clicked = drawn ? middle : gesture.p.xyz;
+  add_seed(seeds_, *structure_, clicked);
   if (drawn) set_diameter(seeds_, *structure_, mm);
   store();
+  correction_->correct(*structure_, Point<CtFrame>(clicked), seeds_);
 }
 
 void SeedBox::remove_selected() {

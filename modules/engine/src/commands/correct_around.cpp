@@ -25,11 +25,17 @@ struct Corrected {
 Cancellable<Corrected> corrected(const CorrectAround& command, const CaseState& state,
                                  const RunContext& context) {
   Corrected all{*state[part::labels], 0, 0.0, {}};
-  const auto count = static_cast<double>(command.clicks.size());
-  for (std::size_t n = 0; n < command.clicks.size(); ++n) {
-    const auto at = static_cast<double>(n);
-    auto one = segmentation::correct_around(*state[part::image], all.labels, command.seeds, command.clicks[n],
-                                            command.locked, context.part(at / count, (at + 1.0) / count));
+  const std::size_t count = command.clicks.size() + command.grown.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto at = static_cast<double>(n), of = static_cast<double>(count);
+    const RunContext here = context.part(at / of, (at + 1.0) / of);
+    const Image& image = *state[part::image];
+    auto one =
+        n < command.clicks.size()
+            ? segmentation::correct_around(image, all.labels, command.seeds, command.clicks[n],
+                                           command.locked, here)
+            : segmentation::grow_around(image, all.labels, command.seeds,
+                                        command.grown[n - command.clicks.size()], command.locked, here);
     if (!one) return {};
     all.labels = std::move(one->labels);
     all.changed += one->voxels_changed;
@@ -63,8 +69,9 @@ Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunConte
   Applied applied{state, figures_of(*made), made->notes};
   // Where nothing changes the labels stay the same edition: a model made of them is not out of date.
   if (made->changed > 0)
-    put_edited_labels(applied.state, *state[part::labels], std::move(made->labels),
-                      {"correct_around", structure::kParenchyma, 0.0}, 0);
+    put_edited_labels(
+        applied.state, *state[part::labels], std::move(made->labels),
+        {"correct_around", clicks.empty() ? grown.front().structure : structure::kParenchyma, 0.0}, 0);
   if (applied.state[part::statistics]) report_labels(applied.state, applied.figures);
   return applied;
 }

@@ -5,18 +5,20 @@
 
 #include "glisson/engine/command.h"
 #include "glisson/segmentation/correct_around.h"
+#include "glisson/segmentation/grow_around.h"
 
 namespace glisson::engine {
 
-/// Corrects the liver's labels around clicks, one after the other, and nowhere else, as one step of their
-/// history (see segmentation::correct_around()). They count as work by hand: growth replaces it only when
-/// that was said.
+/// Corrects labels around clicks, one after the other, and nowhere else, as one step of their history: the
+/// liver's (see segmentation::correct_around()), then vessels and lesions (see segmentation::grow_around()).
+/// They count as work by hand: growth replaces it only when that was said.
 struct CorrectAround {
   std::vector<segmentation::Click> clicks;
   /// Those that the clicks lie among. The command brings them along, so that one click after another is
   /// placed without waiting for the first.
   segmentation::Seeds seeds;
   std::vector<Label> locked;
+  std::vector<segmentation::StructureClick> grown = {};
 
   CommandTraits traits() const;
   /// figures: voxels_changed and changed_ml, of all clicks together (a voxel that two of them change counts

@@ -5,7 +5,7 @@
 #include <memory>
 #include <set>
 
-#include "glisson/segmentation/correct_around.h"
+#include "glisson/segmentation/segment.h"
 #include "glisson/ui/common/engine_bridge.h"
 
 class QCheckBox;
@@ -13,16 +13,17 @@ class QLabel;
 
 namespace glisson::ui {
 
-/// Whether a click for or against the liver corrects labels that are there, at once, and what the last one
-/// did.
+/// Whether a click corrects labels that are there, at once (the liver's, its veins', a lesion's), and what
+/// the last one did.
 class ClickBox : public QWidget {
   Q_OBJECT
  public:
   explicit ClickBox(EngineBridge& engine, QWidget* parent = nullptr);
 
   /// Corrects around a click, if that is chosen and there are labels that it may change.
-  /// @param seeds the click's own among them.
-  void correct(const segmentation::Click& click, const segmentation::Seeds& seeds);
+  /// @param structure that was clicked; background: what is not liver. @param seeds the click's own among
+  /// them.
+  void correct(Label structure, const Point<CtFrame>& p_in_ct, const segmentation::Seeds& seeds);
   /// Labels that a click must leave as they are.
   void set_locked(const std::set<Label>& labels) { locked_ = labels; }
 

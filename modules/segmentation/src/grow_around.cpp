@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/segmentation/grow_around.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "glisson/core/error.h"
+#include "lesions.h"
+#include "part.h"
+
+namespace glisson::segmentation {
+namespace {
+
+constexpr double kBranchReach = 45.0;  // mm around a click on a vessel
+constexpr double kBeside = 36.0;       // mm beyond a lesion's reach, where the liver beside it is read
+
+std::size_t number_of(Label lesion) { return static_cast<std::size_t>(lesion - structure::kFirstLesion); }
+
+bool is_among(const std::vector<Label>& labels, Label label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
+const Points& clicks_of(const Seeds& seeds, Label structure) {
+  static const PointsIn<CtFrame> kNone(0, 3);
+  if (structure == structure::kPortalVein) return seeds.portal_vein;
+  if (structure == structure::kHepaticVeins) return seeds.hepatic_veins;
+  return number_of(structure) < seeds.lesions.size() ? seeds.lesions[number_of(structure)] : kNone;
+}
+
+bool holds_row(const Points& points, const Eigen::RowVector3d& p) {
+  for (Eigen::Index n = 0; n < points.rows(); ++n)
+    if (points.row(n) == p) return true;
+  return false;
+}
+
+/// What is asked of segment(): the structure from its clicks, and the click itself.
+struct Question {
+  Seeds seeds;
+  SegmentationOptions options;
+  double reach_mm = 0.0;
+};
+
+Question question_of(const Seeds& seeds, const StructureClick& click, const std::vector<Label>& locked) {
+  Question question;
+  question.options.structures = kNoStructures;
+  question.options.locked = locked;
+  const Points here = click.p_in_ct.xyz.transpose();
+  if (is_lesion(click.structure)) {
+    const std::size_t n = number_of(click.structure);
+    question.seeds.lesions.assign(n + 1, PointsIn<CtFrame>(0, 3));
+    const Points& known = clicks_of(seeds, click.structure);
+    question.seeds.lesions[n] = holds_row(known, here.row(0)) ? known : here;
+    question.seeds.lesion_diameters_mm.assign(n + 1, 0.0);
+    question.seeds.lesion_diameters_mm[n] = seeds.lesion_diameter_mm(n);
+    question.options.structures.lesions = true;
+    question.reach_mm = lesion_reach_mm(seeds.lesion_diameter_mm(n)) + kBeside;
+  } else {
+    const bool portal = click.structure == structure::kPortalVein;
+    (portal ? question.seeds.portal_vein : question.seeds.hepatic_veins) = here;
+    (portal ? question.options.structures.portal_vein : question.options.structures.hepatic_veins) = true;
+    question.reach_mm = kBranchReach;
+  }
+  return question;
+}
+
+void check(const Image& image, const LabelMap& labels, const StructureClick& click,
+           const std::vector<Label>& locked) {
+  require(grows_around(click.structure), "only vessels and lesions grow around a click");
+  if (image.empty()) throw InputError("image", "", "is empty", "Import a CT or MRI first");
+  require_same_grid(labels.voxels.grid(), image.grid, "labels that are corrected");
+  if (!holds(image.grid, click.p_in_ct.xyz))
+    throw InputError("seeds", structure_name(click.structure), "lies outside the image",
+                     "Check that the seeds belong to this image and are in mm (LPS)");
+  for (const Label label : {click.structure, structure::kParenchyma})
+    if (is_among(locked, label))
+      throw InputError("labels", structure_name(label), "is locked", "Unlock it, or click another structure");
+}
+
+/// Puts what was found in a part of the image into the labels.
+void paste(const LabelMap& found, const VoxelBox& box, const StructureClick& click, CorrectedAround& result) {
+  LabelVolume& labels = result.labels.voxels;
+  const bool only_gains = !is_lesion(click.structure);
+  for (int k = box.low.z(); k < box.high.z(); ++k)
+    for (int j = box.low.y(); j < box.high.y(); ++j)
+      for (int i = box.low.x(); i < box.high.x(); ++i) {
+        const Eigen::Vector3i place(i, j, k);
+        const Label now = found.voxels.at(place - box.low), before = labels.at(place);
+        if (now == before || (only_gains && now != click.structure)) continue;
+        labels.set(place, now);
+        ++result.voxels_changed;
+        const Eigen::Vector3d p = labels.grid().p_in_ct(place.cast<double>()).xyz;
+        result.reach_mm = std::max(result.reach_mm, 1e3 * (p - click.p_in_ct.xyz).norm());
+      }
+}
+
+void name(Label structure, LabelMap& labels) {
+  if (std::none_of(labels.infos.begin(), labels.infos.end(),
+                   [&](const LabelInfo& info) { return info.code == structure; }))
+    labels.infos.push_back(structure_info(structure));
+}
+
+}  // namespace
+
+bool grows_around(Label structure) {
+  return structure == structure::kPortalVein || structure == structure::kHepaticVeins || is_lesion(structure);
+}
+
+std::vector<StructureClick> structure_clicks_added(const Seeds& before, const Seeds& after) {
+  std::vector<StructureClick> added;
+  const auto add = [&](Label structure) {
+    const Points &old = clicks_of(before, structure), &now = clicks_of(after, structure);
+    const std::size_t count = added.size();
+    for (Eigen::Index n = 0; n < now.rows(); ++n)
+      if (!holds_row(old, now.row(n)))
+        added.push_back({structure, Point<CtFrame>(Eigen::Vector3d(now.row(n).transpose()))});
+    if (!is_lesion(structure) || added.size() > count || now.rows() == 0) return;
+    if (before.lesion_diameter_mm(number_of(structure)) != after.lesion_diameter_mm(number_of(structure)))
+      added.push_back({structure, Point<CtFrame>(Eigen::Vector3d(now.row(now.rows() - 1).transpose()))});
+  };
+  add(structure::kPortalVein);
+  add(structure::kHepaticVeins);
+  for (std::size_t n = 0; n < after.lesions.size(); ++n) add(static_cast<Label>(structure::kFirstLesion + n));
+  return added;
+}
+
+Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& labels, const Seeds& seeds,
+                                         const StructureClick& click, const std::vector<Label>& locked,
+                                         const RunContext& context) {
+  check(image, labels, click, locked);
+  CorrectedAround result{labels, 0.0, 0, {}};
+  const std::string code = structure_name(click.structure);
+  const Question question = question_of(seeds, click, locked);
+  const VoxelBox box =
+      box_around(image.grid,
+                 is_lesion(click.structure) ? question.seeds.lesions[number_of(click.structure)]
+                                            : Points(click.p_in_ct.xyz.transpose()),
+                 question.reach_mm);
+  const LabelMap kept = part_of(labels, box);
+  const std::vector<std::uint8_t> liver = inside_liver(kept);
+  if (std::find(liver.begin(), liver.end(), 1) == liver.end()) {
+    result.notes.push_back(code + ".not_found");
+    return result;
+  }
+  const auto found = segment(part_of(image, box), question.seeds, question.options, context, &kept);
+  if (!found) return std::nullopt;
+  // Of the part alone the others say nothing: its liver is small.
+  std::copy_if(found->report.notes.begin(), found->report.notes.end(), std::back_inserter(result.notes),
+               [&](const std::string& note) { return note.rfind(code + ".", 0) == 0; });
+  const std::vector<long> counts = found->labels.voxels.histogram();
+  if (click.structure >= counts.size() || counts[click.structure] == 0) return result;
+  paste(found->labels, box, click, result);
+  if (result.voxels_changed > 0) name(click.structure, result.labels);
+  return result;
+}
+
+}  // namespace glisson::segmentation

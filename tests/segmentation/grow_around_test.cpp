@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A click on a vessel or a lesion that the labels leave out, on a phantom whose truth is a formula.
+#include "glisson/segmentation/grow_around.h"
+
+#include <QTest>
+#include <algorithm>
+
+#include "glisson/core/error.h"
+#include "noisy_ct.h"
+#include "points_at.h"
+
+using namespace glisson;
+using namespace glisson::segmentation;
+
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+constexpr Label kPortal = structure::kPortalVein, kHepatic = structure::kHepaticVeins,
+                kFirst = structure::kFirstLesion, kSecond = structure::kFirstLesion + 1;
+const Vec kLiver(90, 75, 60);                              // mm from the corner: its middle
+const Vec kBall(130, 75, 60), kOtherBall(55, 105, 60);     // of the lesions
+constexpr double kRadius = 12.0;                           // mm, of both
+const Vec kBranchFrom(90, 40, 60), kBranchTo(40, 50, 45);  // a branch of the portal vein that is not labelled
+
+double to_line(const Vec& p, const Vec& a, const Vec& b) {
+  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (p - a - t * (b - a)).norm();
+}
+bool in_stem(const Vec& p) { return to_line(p, {90, 40, 20}, {90, 40, 95}) < 4.5; }
+bool in_branch(const Vec& p) { return to_line(p, kBranchFrom, kBranchTo) < 3.5; }
+bool in_vein(const Vec& p) { return to_line(p, {100, 110, 25}, {100, 110, 95}) < 4.5; }
+bool in_ball(const Vec& p, const Vec& middle) { return (p - middle).norm() < kRadius; }
+
+/// What is in the image, and labels that leave out a branch and both lesions.
+struct Patient {
+  Image image;
+  LabelMap truth, labels;
+};
+
+Label truth_at(const Vec& p) {
+  if ((p - kLiver).cwiseQuotient(Vec(75, 62, 50)).norm() >= 1.0) return structure::kBackground;
+  if (in_ball(p, kBall)) return kFirst;
+  if (in_ball(p, kOtherBall)) return kSecond;
+  if (in_vein(p)) return kHepatic;
+  return in_stem(p) || in_branch(p) ? kPortal : structure::kParenchyma;
+}
+
+double hounsfield(Label label) {
+  if (label == structure::kBackground) return -90.0;
+  if (is_lesion(label)) return 60.0;
+  return label == structure::kParenchyma ? 108.0 : 185.0;
+}
+
+Patient patient() {
+  Patient made;
+  VolumeGrid grid;
+  grid.size = {120, 100, 60};
+  grid.spacing_mm = {1.5, 1.5, 2.0};
+  grid.origin_mm = {-80, -60, 10};
+  std::vector<Label> truth, labels;
+  made.image = test::noisy_ct(grid, 7, 9.0, [&](const Vec& p) {
+    const Label label = truth_at(p);
+    truth.push_back(label);
+    const bool left_out = is_lesion(label) || (label == kPortal && !in_stem(p));
+    labels.push_back(left_out ? structure::kParenchyma : label);
+    return hounsfield(label);
+  });
+  made.truth = {LabelVolume(grid, truth), {}};
+  made.labels = {LabelVolume(grid, labels), {}};
+  for (const Label label : {structure::kParenchyma, kPortal, kHepatic})
+    made.labels.infos.push_back(structure_info(label));
+  return made;
+}
+
+std::vector<std::uint8_t> mask(const LabelMap& labels, Label label) {
+  return labels.voxels.mask([&](Label one) { return one == label; });
+}
+
+StructureClick click_on(const Image& image, Label structure, const Vec& mm) {
+  return {structure, Point<CtFrame>(Vec(test::points_at(image, {mm}).row(0).transpose()))};
+}
+
+Seeds with(const StructureClick& click, double diameter_mm = 0.0) {
+  Seeds seeds;
+  const auto n = static_cast<std::size_t>(click.structure - structure::kFirstLesion);
+  seeds.lesions.assign(n + 1, PointsIn<CtFrame>(0, 3));
+  seeds.lesions[n] = click.p_in_ct.xyz.transpose();
+  seeds.lesion_diameters_mm.assign(n + 1, 0.0);
+  seeds.lesion_diameters_mm[n] = diameter_mm;
+  return seeds;
+}
+
+}  // namespace
+
+class GrowAroundTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void ALesionIsFoundAndNothingElseChanges();
+  void ALesionThatWasFoundWronglyIsFoundAnew();
+  void ABranchJoinsTheTreeAndNothingIsLost();
+  void WhereNothingIsNothingChanges();
+  void WhatIsLockedIsSaid();
+  void OnlyNewClicksCount();
+
+ private:
+  const Patient patient_ = patient();
+};
+
+void GrowAroundTest::ALesionIsFoundAndNothingElseChanges() {
+  const StructureClick click = click_on(patient_.image, kSecond, kOtherBall + Vec(3, -2, 2));
+  const auto made =
+      grow_around(patient_.image, patient_.labels, with(click), click, {}, RunContext()).value();
+  const double found = dice(mask(made.labels, kSecond), mask(patient_.truth, kSecond));
+  QVERIFY2(found > 0.9, qPrintable(QString::number(found)));
+  QVERIFY(made.notes.empty());
+  QVERIFY2(made.reach_mm > kRadius && made.reach_mm < 2.0 * kRadius,
+           qPrintable(QString::number(made.reach_mm)));
+  const std::vector<Label> before = patient_.labels.voxels.dense(), after = made.labels.voxels.dense();
+  long changed = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] == after[i]) continue;
+    ++changed;
+    QVERIFY(after[i] == kSecond && before[i] == structure::kParenchyma);
+  }
+  QCOMPARE(made.voxels_changed, changed);
+  QVERIFY(std::any_of(made.labels.infos.begin(), made.labels.infos.end(),
+                      [](const LabelInfo& info) { return info.code == kSecond; }));
+}
+
+void GrowAroundTest::ALesionThatWasFoundWronglyIsFoundAnew() {
+  // The first lesion lies 10 mm beside where it is.
+  LabelMap wrong = patient_.labels;
+  const std::vector<std::uint8_t> truth = mask(patient_.truth, kFirst);
+  const VolumeGrid& grid = patient_.image.grid;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i)
+        if (in_ball(Vec(i, j, k).cwiseProduct(grid.spacing_mm), kBall + Vec(0, -10, 0)))
+          wrong.voxels.set({i, j, k}, kFirst);
+  const StructureClick click = click_on(patient_.image, kFirst, kBall);
+  const auto made =
+      grow_around(patient_.image, wrong, with(click, 2.0 * kRadius), click, {}, RunContext()).value();
+  QVERIFY(dice(mask(wrong, kFirst), truth) < 0.7);
+  const double found = dice(mask(made.labels, kFirst), truth);
+  QVERIFY2(found > 0.9, qPrintable(QString::number(found)));
+  // What it has no more is liver again.
+  QCOMPARE(inside_liver(made.labels), inside_liver(wrong));
+}
+
+void GrowAroundTest::ABranchJoinsTheTreeAndNothingIsLost() {
+  const Vec at = 0.5 * (kBranchFrom + kBranchTo);
+  const auto made = grow_around(patient_.image, patient_.labels, {}, click_on(patient_.image, kPortal, at),
+                                {}, RunContext())
+                        .value();
+  QVERIFY(made.notes.empty());
+  const std::vector<Label> before = patient_.labels.voxels.dense(), after = made.labels.voxels.dense(),
+                           truth = patient_.truth.voxels.dense();
+  long right = 0, wrong = 0, missed = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] == after[i]) {
+      missed += truth[i] == kPortal && after[i] != kPortal;
+      continue;
+    }
+    QVERIFY(after[i] == kPortal && before[i] == structure::kParenchyma);
+    ++(truth[i] == kPortal ? right : wrong);
+  }
+  const QString counts = QString("%1 right, %2 wrong, %3 missed").arg(right).arg(wrong).arg(missed);
+  QVERIFY2(missed < 0.15 * static_cast<double>(right) && wrong < 0.3 * static_cast<double>(right),
+           qPrintable(counts));
+}
+
+void GrowAroundTest::WhereNothingIsNothingChanges() {
+  // The first in plain liver, the second in fat, where no liver is near.
+  for (const auto& [structure, place] : {std::pair(kFirst, Vec(90, 75, 85)), {kPortal, Vec(2, 2, 2)}}) {
+    const StructureClick click = click_on(patient_.image, structure, place);
+    const Seeds seeds = is_lesion(structure) ? with(click) : Seeds{};
+    const auto made = grow_around(patient_.image, patient_.labels, seeds, click, {}, RunContext()).value();
+    QCOMPARE(made.voxels_changed, 0L);
+    QCOMPARE(made.labels.voxels.dense(), patient_.labels.voxels.dense());
+    QCOMPARE(made.notes, std::vector<std::string>{structure_name(structure) + ".not_found"});
+  }
+}
+
+void GrowAroundTest::WhatIsLockedIsSaid() {
+  const StructureClick click = click_on(patient_.image, kPortal, 0.5 * (kBranchFrom + kBranchTo));
+  for (const Label locked : {kPortal, structure::kParenchyma})
+    QVERIFY_EXCEPTION_THROWN(grow_around(patient_.image, patient_.labels, {}, click, {locked}, RunContext()),
+                             InputError);
+  const StructureClick outside = click_on(patient_.image, kPortal, Vec(-30, 0, 0));
+  QVERIFY_EXCEPTION_THROWN(grow_around(patient_.image, patient_.labels, {}, outside, {}, RunContext()),
+                           InputError);
+}
+
+void GrowAroundTest::OnlyNewClicksCount() {
+  const StructureClick first = click_on(patient_.image, kFirst, kBall),
+                       second = click_on(patient_.image, kSecond, kOtherBall),
+                       vein = click_on(patient_.image, kHepatic, Vec(100, 110, 60));
+  Seeds before = with(first);
+  Seeds after = with(second);
+  after.lesions[0] = before.lesions[0];
+  after.hepatic_veins = vein.p_in_ct.xyz.transpose();
+  QVERIFY((structure_clicks_added(before, after) == std::vector<StructureClick>{vein, second}));
+  QVERIFY(structure_clicks_added(after, after).empty());
+  // The same place, drawn wider.
+  before = after;
+  after.lesion_diameters_mm = {25.0, 0.0};
+  QVERIFY((structure_clicks_added(before, after) == std::vector<StructureClick>{first}));
+}
+
+QTEST_GUILESS_MAIN(GrowAroundTest)
+#include "grow_around_test.moc"
