@@ -32,6 +32,7 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void BoxWithoutALiverSeedIsSaid();
   void ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled();
   void AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff();
+  void AClickFindsALesionAtOnce();
 
  private:
   /// What the views share.
@@ -351,6 +352,31 @@ void SegmentationSeedsTest::AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff(
   click({0.0, -0.032, 0.0});
   QCOMPARE(count(structure::kParenchyma), liver);
   QCOMPARE(window_->engine().state()[part::seeds]->background.rows(), Eigen::Index{3});
+}
+
+void SegmentationSeedsTest::AClickFindsALesionAtOnce() {
+  open_labels();
+  const long whole = count(structure::kFirstLesion), portal = count(structure::kPortalVein);
+  editing::Paint over;  // a hand has painted liver over the lesion
+  over.label = structure::kParenchyma;
+  over.brush = editing::Paint::Brush::ball;
+  over.radius = 10e-3;
+  over.path = Eigen::RowVector3d(0.03, 0.0, 0.0);
+  window_->engine().post(engine::EditLabels{{over, {}}, 0});
+  QVERIFY(settle());
+  QCOMPARE(count(structure::kFirstLesion), 0L);
+  press("mode_seeds");
+  press("seed_lesion_1");
+  const QPoint middle = slice(Plane::axial).widget_point(Point<CtFrame>(0.03, 0.0, 0.0)).toPoint();
+  drag(slice(Plane::axial), {middle, middle});
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state()[part::seeds]->lesions.size(), std::size_t{1});
+  const double share = static_cast<double>(count(structure::kFirstLesion)) / static_cast<double>(whole);
+  QVERIFY2(share > 0.7 && share < 1.4, qPrintable(QString::number(share)));
+  QCOMPARE(count(structure::kPortalVein), portal);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QCOMPARE(count(structure::kFirstLesion), 0L);
 }
 
 }  // namespace glisson
