@@ -178,7 +178,7 @@ void GrowAroundTest::WhereNothingIsNothingChanges() {
     const auto made = grow_around(patient_.image, patient_.labels, seeds, click, {}, RunContext()).value();
     QCOMPARE(made.voxels_changed, 0L);
     QCOMPARE(made.labels.voxels.dense(), patient_.labels.voxels.dense());
-    QCOMPARE(made.notes, std::vector<std::string>{structure_name(structure) + ".not_found"});
+    QVERIFY(std::count(made.notes.begin(), made.notes.end(), structure_name(structure) + ".not_found") == 1);
   }
 }
 
