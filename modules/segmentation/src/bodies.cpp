@@ -66,9 +66,10 @@ Mask kept_mask(const LabelMap& kept, const Field& grid, const std::function<bool
 }
 
 /// The liver of the kept labels.
-void take_liver(const LabelMap& kept, const Field& ct, Bodies& bodies) {
-  bodies.liver = sampled(kept.voxels.grid(), inside_liver(kept), ct);
-  const Mask parenchyma = kept_mask(kept, ct, [](Label label) { return label == structure::kParenchyma; });
+void take_liver(const Kept& kept, const Field& ct, Bodies& bodies) {
+  bodies.liver = sampled(kept.labels.voxels.grid(), kept.liver, ct);
+  const Mask parenchyma =
+      kept_mask(kept.labels, ct, [](Label label) { return label == structure::kParenchyma; });
   if (parenchyma.count() == 0)
     throw InputError("labels", "liver", "is not there, and was not to be segmented",
                      "Segment the liver too, or paint it first");
@@ -288,7 +289,7 @@ void unite(Mask& mask, const Mask& more) {
 }
 
 Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double spacing_mm,
-                                const Structures& anew, const LabelMap* kept, const RunContext& context,
+                                const Structures& anew, const Kept* kept, const RunContext& context,
                                 const ShowContour& show) {
   context.progress(0.0, "segmentation.prepare");
   Field ct = resampled(image, {Eigen::Vector3i::Zero(), image.grid.size}, std::max(kCoarse, spacing_mm));
@@ -300,7 +301,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   bodies.grid.values.clear();
   const auto places = [&](const Points& points) { return voxels_of(image.grid, ct, points); };
   const auto known = [&](const std::function<bool(Label)>& wanted) {
-    return kept != nullptr ? kept_mask(*kept, ct, wanted) : ct.empty_mask();
+    return kept != nullptr ? kept_mask(kept->labels, ct, wanted) : ct.empty_mask();
   };
   const LiverSeeds clicks{places(seeds.liver), places(seeds.background)};
   if (anew.liver)

@@ -19,6 +19,12 @@ bool is_anew(const Structures& anew, const Seeds& seeds, Label label);
 /// Adds the voxels of `more`. @pre one grid.
 void unite(Mask& mask, const Mask& more);
 
+/// Labels that are kept, and their liver as inside_liver() has it; no voxels: it is found anew.
+struct Kept {
+  LabelMap labels;
+  std::vector<std::uint8_t> liver;
+};
+
 /// Liver and compact bodies, found or kept.
 struct Bodies {
   Field liver_phi;  ///< mm, negative inside; lesions united, holes filled, one piece
@@ -33,7 +39,7 @@ struct Bodies {
 /// @throws InputError clicks that lie in no liver tissue; a kept liver that is not there; a contour too fine
 ///   for its size.
 Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double spacing_mm,
-                                const Structures& anew, const LabelMap* kept, const RunContext& context,
+                                const Structures& anew, const Kept* kept, const RunContext& context,
                                 const ShowContour& show);
 
 }  // namespace glisson::segmentation

@@ -13,7 +13,7 @@ namespace glisson::segmentation {
 namespace {
 
 constexpr double kBranchReach = 45.0;  // mm around a click on a vessel
-constexpr double kBeside = 36.0;       // mm beyond a lesion's reach, where the liver beside it is read
+constexpr double kBeside = 14.0;       // mm beyond a lesion's reach, where the liver beside it is read
 
 std::size_t number_of(Label lesion) { return static_cast<std::size_t>(lesion - structure::kFirstLesion); }
 
@@ -137,8 +137,8 @@ Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& lab
                                             : Points(click.p_in_ct.xyz.transpose()),
                  question.reach_mm);
   const LabelMap kept = part_of(labels, box);
-  const std::vector<std::uint8_t> liver = inside_liver(kept);
-  if (std::find(liver.begin(), liver.end(), 1) == liver.end()) {
+  const std::vector<long> there = kept.voxels.histogram();
+  if (there.size() <= structure::kParenchyma || there[structure::kParenchyma] == 0) {
     result.notes.push_back(code + ".not_found");
     return result;
   }

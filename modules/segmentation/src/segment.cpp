@@ -91,18 +91,16 @@ Structures where_found(Structures anew, const Bodies& bodies) {
 }
 
 /// The kept labels, without what is found anew. A kept liver is whole again where vessels or lesions were.
-Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew, const LabelMap* kept,
+Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew, const Kept* kept,
                   bool parenchyma_held) {
   const auto count = static_cast<std::size_t>(image.grid.voxel_count());
   Painting painting{image.grid, std::vector<Label>(count, 0), std::vector<std::uint8_t>(count, 0)};
   if (kept == nullptr) return painting;
-  painting.labels = kept->voxels.dense();
-  const std::vector<std::uint8_t> liver =
-      anew.liver ? std::vector<std::uint8_t>(count, 0) : inside_liver(*kept);
+  painting.labels = kept->labels.voxels.dense();
   for (std::size_t i = 0; i < count; ++i) {
     Label& label = painting.labels[i];
     // A locked liver does not grow either.
-    const bool is_liver = liver[i] != 0 && !parenchyma_held;
+    const bool is_liver = !anew.liver && kept->liver[i] != 0 && !parenchyma_held;
     if (label != 0 && is_anew(anew, seeds, label)) label = is_liver ? structure::kParenchyma : Label{0};
     painting.held[i] = label != 0 && (parenchyma_held || label != structure::kParenchyma);
   }
@@ -117,8 +115,7 @@ struct FoundVessels {
 };
 
 Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, const Bodies& bodies,
-                                     const Structures& anew, const LabelMap* kept,
-                                     const RunContext& context) {
+                                     const Structures& anew, const Kept* kept, const RunContext& context) {
   FoundVessels found;
   if (!anew.portal_vein && !anew.hepatic_veins) return found;
   Mask everything = bodies.liver;
@@ -134,7 +131,7 @@ Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, con
   if (anew.hepatic_veins) roots.hepatic = voxels_of(image.grid, fine, seeds.hepatic_veins);
   Mask barred = fine.empty_mask();
   if (kept != nullptr)
-    barred = sampled(image.grid, kept->voxels.mask([&](Label label) {
+    barred = sampled(image.grid, kept->labels.voxels.mask([&](Label label) {
       return label != 0 && label != structure::kParenchyma && label != structure::kVenaCava &&
              !is_anew(anew, seeds, label);
     }),
@@ -373,10 +370,13 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   const VoxelBox box = box_of(whole.grid, options.region);
   const Image image = part_of(whole, box);
   const Seeds seeds = part_of(unlocked(all_seeds, options.locked), image.grid, options.region);
-  const std::optional<LabelMap> kept_part =
-      all_kept != nullptr ? std::optional(part_of(*all_kept, box)) : std::nullopt;
-  const LabelMap* kept = kept_part ? &*kept_part : nullptr;
   const Structures anew = found_anew(unlocked(options.structures, options.locked), seeds);
+  std::optional<Kept> kept_part;
+  if (all_kept != nullptr) {
+    kept_part = Kept{part_of(*all_kept, box), {}};
+    if (!anew.liver) kept_part->liver = inside_liver(kept_part->labels);
+  }
+  const Kept* kept = kept_part ? &*kept_part : nullptr;
   if (anew.liver && seeds.liver.rows() == 0)
     throw InputError("seeds", "liver", options.region ? "has no point in the region" : "has no point",
                      "Click at least one point inside the liver");
