@@ -24,10 +24,10 @@ Eigen::Matrix3d random_matrix(unsigned seed, double noise_size) {
   return random_rotation(seed + 1000) * m;
 }
 
-Tetrahedron sample_tetrahedron() {
+Tetrahedron sample_tetrahedron(const Material& material = kLiver) {
   Eigen::Matrix<double, 3, 4> rest;
   rest << 0.0, 0.011, 0.002, 0.001, 0.0, 0.001, 0.009, 0.002, 0.0, -0.001, 0.001, 0.012;
-  return Tetrahedron({0, 1, 2, 3}, rest, kLiver);
+  return Tetrahedron({0, 1, 2, 3}, rest, material);
 }
 
 /// The force's derivative by central differences of the stress.
@@ -262,6 +262,22 @@ class ElementsTest : public QObject {
     const Eigen::Matrix3d p = stress(e, TetrahedronLaw::neo_hookean, f);
     QVERIFY(std::abs(p(0, 0) / strain - 3500.0) < 5.0);
     QVERIFY(std::abs(p(1, 1) / strain) < 5.0);
+  }
+
+  void NeoHookeanFollowsYoungAndPoissonFromZeroOn() {
+    // The law has a term of volume of its own (lambda + 5/6 mu): a ratio of 0 is no exception.
+    for (const double ratio : {0.0, 0.2, 0.45, 0.49}) {
+      CompositeOptions options;
+      options.law = TetrahedronLaw::neo_hookean;
+      options.parenchyma.poisson_ratio = ratio;
+      options.validate();
+      const Tetrahedron e = sample_tetrahedron(options.parenchyma);
+      const double strain = 1e-5, narrows = -ratio * strain;
+      const Eigen::Matrix3d f = Eigen::Vector3d(1.0 + strain, 1.0 + narrows, 1.0 + narrows).asDiagonal();
+      const Eigen::Matrix3d p = stress(e, TetrahedronLaw::neo_hookean, f);
+      QVERIFY(std::abs(p(0, 0) / strain - 3500.0) < 5.0);
+      QVERIFY(std::abs(p(1, 1) / strain) < 5.0 && std::abs(p(2, 2) / strain) < 5.0);
+    }
   }
 
   void VonMisesOfUniaxialTensionIsTheTension() {

@@ -106,6 +106,11 @@ class LoadsTest : public QObject {
                                    << "moved[0]";
     QTest::newRow("moved nowhere") << R"({"moved": [{"nodes": [1]}]})"
                                    << "moved[0].by_mm";
+    QTest::newRow("node beyond any mesh") << R"({"forces": [{"node": 4294967297, "newton": [0, 0, 1]}]})"
+                                          << "forces[0].node";
+    QTest::newRow("angle beyond all directions")
+        << R"({"pressure": {"pascal": 1, "region": {"normal": [0, 0, 1], "angle_deg": 270}}})"
+        << "pressure.region.angle_deg";
     QTest::newRow("negative ramp") << R"({"gravity": {"to": "prone"}, "ramp_s": -1})"
                                    << "ramp_s";
   }
@@ -197,6 +202,69 @@ class LoadsTest : public QObject {
     QVERIFY(ramped);
     QVERIFY(std::abs(ramped->records[4].displacement_max - 0.0005) < 1e-12);
     QVERIFY((ramped->positions - at_once->positions).rowwise().norm().maxCoeff() < 1e-6);
+  }
+
+  void SpringsThatCarryTheBarLetGoOfIt() {
+    // Each pulls its corner by the same way: the bar goes along as it is, and nothing pulls any more.
+    const auto model = bar();
+    const LoadCase load = parsed(R"({"springs": [
+      {"node": 0, "newton_per_metre": 50, "target_mm": [3, -2, 4]},
+      {"node": 5, "newton_per_metre": 80, "target_mm": [53, -2, 4]},
+      {"node": 12, "newton_per_metre": 50, "target_mm": [3, 18, 4]},
+      {"node": 36, "newton_per_metre": 20, "target_mm": [3, -2, 24]}]})");
+    SimulationOptions options;
+    options.static_solve = true;
+    const auto result = simulate(model, load, options, RunContext());
+    QVERIFY(result && result->converged);
+    const Points gone = model->mesh().vertices.rowwise() + Eigen::RowVector3d(3e-3, -2e-3, 4e-3);
+    QVERIFY((result->positions - gone).cwiseAbs().maxCoeff() < 1e-9);
+    QVERIFY(result->records.front().force_residual < 1e-8);
+  }
+
+  void TheLastStepOfAStaticSolveIsLookedAt() {
+    // So small a force that one step of Newton's is nearly all.
+    const auto model = bar();
+    const AppliedLoad load(parsed(R"({"forces": [{"node": 5, "newton": [0, 0, 1e-6]}],
+      "fixed": {"region": {"low_mm": [-1, -1, -1], "high_mm": [0.1, 21, 21]}}})"),
+                           *model);
+    StaticOptions options;
+    options.fixed_nodes = load.fixed_nodes();
+    options.max_iterations = 1;
+    const auto solve = [&] {
+      return *solve_static(
+          *model, model->mesh().vertices, [&](const Points& x) { return load.at(x); }, options, RunContext());
+    };
+    const StaticSummary stopped = solve();
+    Points left = model->internal_force(stopped.positions);
+    left(5, 2) += 1e-6;
+    for (const int node : options.fixed_nodes) left.row(node).setZero();
+    QCOMPARE(stopped.iterations, 1);
+    QVERIFY(stopped.termination == Termination::step_limit);
+    QVERIFY(stopped.residual < 1e-2);
+    QVERIFY(std::abs(stopped.residual - left.norm() / 1e-6) < 1e-3 * stopped.residual);
+    options.tolerance = 2.0 * stopped.residual;
+    QVERIFY(solve().converged());
+  }
+
+  void TetrahedraThatAStaticLoadInvertsAreCounted() {
+    // One end is put behind the other.
+    const auto model = bar();
+    const LoadCase load = parsed(R"({
+      "moved": [{"region": {"low_mm": [49.9, -1, -1], "high_mm": [51, 21, 21]}, "by_mm": [-70, 0, 0]}],
+      "fixed": {"region": {"low_mm": [-1, -1, -1], "high_mm": [0.1, 21, 21]}}})");
+    SimulationOptions options;
+    options.static_solve = true;
+    const auto result = simulate(model, load, options, RunContext());
+    QVERIFY(result);
+    int inverted = 0;
+    const Tetrahedra& all = model->mesh().tetrahedra;
+    for (Eigen::Index t = 0; t < all.rows(); ++t) {
+      Eigen::Matrix4d corners = Eigen::Matrix4d::Ones();
+      for (int k = 0; k < 4; ++k) corners.block<3, 1>(1, k) = result->positions.row(all(t, k)).transpose();
+      inverted += corners.determinant() <= 0.0;
+    }
+    QVERIFY(inverted > 0);
+    QCOMPARE(result->records.front().inverted_tetrahedra, inverted);
   }
 
   void SpringsTangentIsTheForcesDerivative() {

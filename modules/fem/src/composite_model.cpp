@@ -83,9 +83,6 @@ void CompositeOptions::validate() const {
   check_material(capsule, "capsule");
   for (const auto& [label, material] : by_label)
     check_material(material, "by_label[" + std::to_string(label) + "]");
-  if (law == TetrahedronLaw::neo_hookean && parenchyma.poisson_ratio == 0.0)
-    throw InputError("parenchyma", "poisson_ratio", "is 0, where the neo-Hookean law has no volume term",
-                     "Give a Poisson ratio above 0 or take the co-rotational law");
   check_range(capsule_thickness, 1e-7, 1e-2, "capsule_thickness", "m");
   check_range(wall_fraction, 1e-3, 1.0, "wall_fraction", "of the radius");
   check_range(density, 1.0, 1e5, "density", "kg/m3");

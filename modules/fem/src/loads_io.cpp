@@ -68,12 +68,13 @@ class Reader {
   std::vector<int> indices(const std::string& key) const {
     if (!at(key).is_array()) fail(key, "is not a list", "Write [0, 1, ...]");
     std::vector<int> list;
-    for (const json& item : at(key)) {
-      if (!item.is_number_integer() || item.get<long long>() < 0 || item.get<long long>() > 1'000'000'000)
-        fail(key, "holds " + item.dump() + ", which is no index", "Give 0-based indices");
-      list.push_back(item.get<int>());
-    }
+    for (const json& item : at(key)) list.push_back(index(item, key));
     return list;
+  }
+  int index(const json& item, const std::string& key) const {
+    if (!item.is_number_integer() || item.get<long long>() < 0 || item.get<long long>() > 1'000'000'000)
+      fail(key, "holds " + item.dump() + ", which is no index", "Give 0-based indices");
+    return item.get<int>();
   }
 
  private:
@@ -100,7 +101,9 @@ LoadRegion read_region(const Reader& parent, bool with_normal) {
     const Eigen::Vector3d normal = r.vector("normal");
     if (normal.norm() < 1e-12) r.fail("normal", "is zero", "Give a direction");
     region.normal = normal.normalized();
-    region.angle = r.positive("angle_deg") * std::numbers::pi / 180.0;
+    const double degrees = r.positive("angle_deg");
+    if (degrees > 180.0) r.fail("angle_deg", "is above 180", "Give at most 180 degrees: every direction");
+    region.angle = degrees * std::numbers::pi / 180.0;
   }
   if (!region.centre && !region.low && !region.normal)
     r.fail("", "names no ball, box or direction", "Give centre_mm and radius_mm, or low_mm and high_mm");
@@ -113,9 +116,7 @@ LoadPlace read_place(const Reader& r) {
   if (given != 1)
     r.fail("", given == 0 ? "has no place" : "has several places", "Give one of node, point_mm, region");
   if (r.has("node")) {
-    if (!r.at("node").is_number_integer() || r.at("node").get<long long>() < 0)
-      r.fail("node", "is " + r.at("node").dump(), "Give a 0-based index");
-    place.node = r.at("node").get<int>();
+    place.node = r.index(r.at("node"), "node");
   } else if (r.has("point_mm")) {
     place.point = r.point("point_mm");
   } else {

@@ -12,10 +12,9 @@ namespace glisson::fem {
 namespace {
 
 /// What is left over of the forces on free nodes, relative to the external ones.
-double force_residual(const CompositeModel& model, const AppliedLoad& load, const Points& x, double time,
-                      bool whole) {
+double force_residual(const CompositeModel& model, const AppliedLoad& load, const Points& x, double time) {
   Points external = Points::Zero(x.rows(), 3);
-  add_external_force(model.impl(), whole ? load.at(x) : load.at(x, time), x, external);
+  add_external_force(model.impl(), load.at(x, time), x, external);
   Points sum = model.internal_force(x) + external;
   Points held = Points::Zero(x.rows(), 3);
   for (const int node : load.fixed_nodes()) {
@@ -26,6 +25,13 @@ double force_residual(const CompositeModel& model, const AppliedLoad& load, cons
   // Where nothing but moved nodes loads the organ: what holds them.
   const double reference = external.norm() > 0.0 ? external.norm() : held.norm();
   return reference > 0.0 ? sum.norm() / reference : sum.norm();
+}
+
+/// Tetrahedra without a positive volume.
+int inverted(const CompositeModel& model, const Points& x) {
+  TetMesh moved = model.mesh();
+  moved.vertices = x;
+  return static_cast<int>((tetrahedron_volumes(moved).array() <= 0.0).count());
 }
 
 void describe(const CompositeModel& model, const Points& x, SimulationRecord& record) {
@@ -54,7 +60,8 @@ Cancellable<SimulationResult> simulate_static(
   record.milliseconds = watch.milliseconds();
   record.step = solution->iterations;
   describe(model, solution->positions, record);
-  record.force_residual = force_residual(model, load, solution->positions, 0.0, true);
+  record.force_residual = solution->residual;
+  record.inverted_tetrahedra = inverted(model, solution->positions);
   if (on_step) on_step(record, solution->positions);
   return SimulationResult{{record}, std::move(solution->positions), solution->converged()};
 }
@@ -110,7 +117,7 @@ Cancellable<SimulationResult> simulate(
     record.solver_iterations = step.iterations;
     record.inverted_tetrahedra = step.inverted_tetrahedra;
     describe(*model, integrator.positions(), record);
-    record.force_residual = force_residual(*model, load, integrator.positions(), record.time, false);
+    record.force_residual = force_residual(*model, load, integrator.positions(), record.time);
     if (on_step) on_step(record, integrator.positions());
     result.records.push_back(record);
   }

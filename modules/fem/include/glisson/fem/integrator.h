@@ -76,8 +76,8 @@ class Integrator {
 /// How an equilibrium is looked for.
 struct StaticOptions {
   int max_iterations = 200;
-  /// The residual force over the external force, in (0, 1). Where there is no external force (nodes were only
-  /// put elsewhere): over the force that holds the fixed nodes.
+  /// The residual force over the external force (or a thousandth of its largest, where springs let go), in
+  /// (0, 1); where there is none (nodes were only put elsewhere) over the force that holds the fixed nodes.
   double tolerance = 1e-8;
   std::vector<int> fixed_nodes;  ///< 0-based; they stay where the start has them
   int threads = 2;               ///< 1 or 2: the same bits
@@ -91,7 +91,7 @@ struct StaticSummary {
   Points positions;  ///< of all nodes, in the start's frame, metres
   Termination termination = Termination::step_limit;
   int iterations = 0;
-  double residual = 0.0;  ///< relative, as StaticOptions::tolerance
+  double residual = 0.0;  ///< relative, as StaticOptions::tolerance; of these positions
   bool converged() const { return termination == Termination::converged; }
 };
 

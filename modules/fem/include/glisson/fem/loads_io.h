@@ -39,7 +39,7 @@
 /// - fixed: "nodes" and all nodes of a "region".
 /// - moved: "nodes" and all nodes of a "region" that are held like fixed ones, but displaced "by_mm".
 /// - region: a ball ("centre_mm", "radius_mm"), a box ("low_mm", "high_mm"), for pressure also a direction
-///   ("normal", "angle_deg": triangles whose outward normal is within the angle). Given together, all hold.
+///   ("normal", "angle_deg" up to 180: triangles whose outward normal is so near). Given together, all hold.
 /// - ramp_s: the load grows linearly over this time (0: at once). Springs' targets and moved nodes go from
 ///   the rest position to their place meanwhile. Static solves ignore it.
 /// - comment: anything, for people.
