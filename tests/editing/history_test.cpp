@@ -62,6 +62,7 @@ class HistoryTest : public QObject {
   void StepsHoldOnlyWhatTheyChanged();
   void ComesBackFromDisk();
   void RefusesWhatDoesNotBelongToTheLabels();
+  void RefusesStepsFartherBackAndUndoneOnesOfOtherLabels();
   void UndoAndRedoNeedAStep();
 };
 
@@ -218,6 +219,33 @@ void HistoryTest::RefusesWhatDoesNotBelongToTheLabels() {
   QVERIFY(complaint(labels.voxels).find("9999999") != std::string::npos);
   std::ofstream(folder.path() / "steps.json") << R"({"done": 1, "steps": [{"tool": 4}]})";
   QVERIFY(complaint(labels.voxels).find("malformed") != std::string::npos);
+}
+
+void HistoryTest::RefusesStepsFartherBackAndUndoneOnesOfOtherLabels() {
+  // Two steps in two bricks; then somebody else changes the first one's brick, which the second does not
+  // touch.
+  const LabelMap start = blank({50, 40, 40});
+  LabelMap first = start;
+  first.voxels.set({1, 2, 3}, 1);
+  LabelMap second = first;
+  second.voxels.set({40, 2, 3}, 2);
+  const History both = History().with(kPaint, start, first).with(kPaint, first, second);
+  const TemporaryFolder folder;
+  const auto complaint = [&](const LabelVolume& volume) {
+    return test::complaint<InputError>([&] { read_history(folder.path(), volume); });
+  };
+  write_history(folder.path(), both);
+  QVERIFY(complaint(second.voxels).empty());
+  LabelMap foreign = second;
+  foreign.voxels.set({5, 5, 5}, 3);
+  QVERIFY(complaint(foreign.voxels).find("do not lead to") != std::string::npos);
+  // All undone: redoing would put the step's brick over what is there.
+  const History undone = both.undo(second).second.undo(first).second;
+  write_history(folder.path(), undone);
+  QVERIFY(complaint(start.voxels).empty());
+  foreign = start;
+  foreign.voxels.set({5, 5, 5}, 3);
+  QVERIFY(complaint(foreign.voxels).find("do not lead to") != std::string::npos);
 }
 
 void HistoryTest::UndoAndRedoNeedAStep() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,44 @@ History::Step step_of(const json& entry, const LabelVolume& bricks, std::size_t 
   return step;
 }
 
+/// Labels that are led step by step: the bricks that have changed since, over the others.
+class Way {
+ public:
+  explicit Way(const LabelVolume& labels) : labels_(labels) {}
+  /// @return false: the step does not begin where the way has come to; back: does not end there.
+  bool go(const History::Step& step, bool back) {
+    for (const LabelChange& change : step.changes) {
+      const auto [place, is_new] = now_.try_emplace(change.number);
+      if (is_new) place->second = labels_.brick(change.number);
+      if (!is_same(place->second, back ? change.after : change.before)) return false;
+      place->second = back ? change.before : change.after;
+    }
+    return true;
+  }
+
+ private:
+  /// Nothing is as good as a brick of zeros.
+  static bool is_same(const BrickPointer& a, const BrickPointer& b) {
+    if (a == b) return true;
+    if (a && b) return *a == *b;
+    const LabelVolume::Brick& only = a ? *a : *b;
+    return std::all_of(only.begin(), only.end(), [](Label label) { return label == 0; });
+  }
+
+  const LabelVolume& labels_;
+  std::map<std::size_t, BrickPointer> now_;
+};
+
+/// Whether all steps that are done lead to the labels, and those that were undone go on from them.
+bool leads_to(const History& history, const LabelVolume& labels) {
+  Way back(labels), forth(labels);
+  bool leads = true;
+  for (std::size_t n = history.done(); n > 0 && leads; --n) leads = back.go(*history.steps()[n - 1], true);
+  for (std::size_t n = history.done(); n < history.steps().size() && leads; ++n)
+    leads = forth.go(*history.steps()[n], false);
+  return leads;
+}
+
 }  // namespace
 
 void write_history(const fs::path& folder, const History& history) {
@@ -121,12 +160,8 @@ History read_history(const fs::path& folder, const LabelVolume& labels) {
     history.done_ = document.at("done").get<std::size_t>();
     if (history.done_ > history.steps_.size())
       throw InputError(file, "done", "counts more steps than there are", kRemedy);
-    // The step that would be undone first must have led to these labels.
-    if (history.can_undo()) {
-      LabelVolume last = labels;
-      last.apply(history.steps_[history.done_ - 1]->changes, false);
-      if (!(last == labels)) throw InputError(file, "steps", "do not lead to the case's labels", kRemedy);
-    }
+    if (!leads_to(history, labels))
+      throw InputError(file, "steps", "do not lead to the case's labels", kRemedy);
     return history;
   } catch (const json::exception& failure) {
     throw InputError(file, "", std::string("is malformed (") + failure.what() + ")", kRemedy);

@@ -66,7 +66,7 @@ class History {
 
 /// Writes `steps.json` and the bricks (`bricks.nrrd`: 32 x 32 x 32 x n, gzip) into a folder that exists.
 void write_history(const std::filesystem::path& folder, const History& history);
-/// @throws InputError when it does not belong to the labels or is damaged.
+/// @throws InputError when any of its steps, done or undone, does not belong to the labels, or it is damaged.
 History read_history(const std::filesystem::path& folder, const LabelVolume& labels);
 
 }  // namespace glisson::editing
