@@ -115,6 +115,7 @@ class SenderTest : public QObject {
   void EndWithdraws();
   void LatePeerIsToldTheNewest();
   void SurfacesComeAtTheirRate();
+  void SurfacesOfACorrectedFrameComeAtOnce();
   void PeerThatReadsNothingIsGivenUpAndHoldsNobody();
   void PeerThatBabblesHarmsNobody();
   void OnlyTheGivenAddressAnswers();
@@ -286,6 +287,26 @@ void SenderTest::SurfacesComeAtTheirRate() {
                  .isEmpty());
   }
   QCOMPARE(surfaces, 4);  // of frames 0, 2, 4, 6; those of 8 are still to come
+}
+
+void SenderTest::SurfacesOfACorrectedFrameComeAtOnce() {
+  // The frame is told as it was followed, and then as a hand has put it: the frames' time stands still.
+  SenderOptions given = options();
+  given.surfaces_per_second = 0.1;
+  Sender sender(given);
+  PeerProcess peer = listener(sender);
+  const auto model = small_model();
+  OverlayFrame frame = frame_of(*model, 0);
+  sender.tell(model, frame);
+  QVERIFY(!wait_for_points(peer, "parenchyma", 4).isEmpty());
+  frame.nodes_in_camera.col(0).array() += 0.007;
+  sender.tell(model, frame);
+  const double expected = 1e3 * frame.nodes_in_camera(0, 0);
+  QVERIFY(!peer.wait_for([&](const Words& words) {
+                 return words.value(0) == "POLYDATA" && words.value(1) == "parenchyma" &&
+                        std::abs(words.value(5).toDouble() - expected) < 1e-3;
+               })
+               .isEmpty());
 }
 
 void SenderTest::PeerThatReadsNothingIsGivenUpAndHoldsNobody() {

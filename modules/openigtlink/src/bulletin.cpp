@@ -15,6 +15,8 @@ namespace {
 constexpr const char* kLevelName = "GlissonLevel";
 constexpr const char* kPoseName = "LeftCameraToCtRas";
 
+bool are_same(const Points& a, const Points& b) { return a.rows() == b.rows() && a == b; }
+
 /// Whether the frame's nodes are this model's and are anywhere.
 bool has_nodes(const SentModel& model, const OverlayFrame& frame) {
   constexpr Eigen::Index kFewest = 3;  // that tell a pose
@@ -79,7 +81,11 @@ void Bulletin::compose(const SentModel* model, const OverlayFrame& told, double 
   ++level_number_;
 
   const std::set<std::string> shown = shown_in(model, frame);
-  if (model == shown_of_ && !are_due(shown, frame.seconds)) return;
+  const bool is_corrected =
+      !shown.empty() && told_at_ == frame.seconds && !are_same(told_, frame.nodes_in_camera);
+  told_ = frame.nodes_in_camera;
+  told_at_ = frame.seconds;
+  if (model == shown_of_ && !is_corrected && !are_due(shown, frame.seconds)) return;
   surfaces_ = std::make_shared<const std::string>(surface_messages(model, frame, shown, stamp));
   ++surfaces_number_;
   shown_ = shown;

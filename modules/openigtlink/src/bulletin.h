@@ -41,6 +41,8 @@ class Bulletin {
   std::set<std::string> shown_;          ///< those sent last
   std::optional<double> shown_at_;       ///< seconds of that frame
   const SentModel* shown_of_ = nullptr;  ///< compared, never followed
+  Points told_;                          ///< nodes of the last frame, whose surfaces may not have been due
+  std::optional<double> told_at_;        ///< seconds of that frame: the same with other nodes is a correction
 };
 
 }  // namespace glisson::openigtlink

@@ -28,7 +28,7 @@ struct SentModel {
 /// Where a sender listens, how much it tells, and when it gives up.
 struct SenderOptions {
   Address address;                   ///< to listen at
-  double surfaces_per_second = 5.0;  ///< by the frames' own times, at most
+  double surfaces_per_second = 5.0;  ///< by the frames' own times, at most, but for corrected frames
   double silence = 1.0;              ///< seconds without a frame, after which what was told holds no longer
   double patience = 2.0;             ///< seconds for which a peer may take nothing of what waits for it
   int most_peers = 8;
@@ -66,7 +66,7 @@ class Sender {
   /// Where it listens; the port is the true one.
   Address address() const;
 
-  /// The newest wins: returns at once, whatever the peers do.
+  /// The newest wins: returns at once, whatever the peers do. Told again with other nodes: it is corrected.
   /// @param model the same object as long as it is the same model. @pre not null.
   void tell(std::shared_ptr<const SentModel> model, OverlayFrame frame);
   /// What was told holds no longer, as when tracking ends. @pre the reason's level is `withdrawn`.
