@@ -71,6 +71,7 @@ class ClosestPointTreeTest : public QObject {
   void RayParametersBoundTheHit();
   void EmptyMeshFindsNothing();
   void DegenerateTriangleIsNoTrap();
+  void ATriangleThatIsALineIsItsEdges();
   void RefitWithOtherVerticesIsRefused();
 };
 
@@ -217,6 +218,25 @@ void ClosestPointTreeTest::DegenerateTriangleIsNoTrap() {
   for (const auto& weights :
        {closest_on_triangle({0.5, 1, 0}, a, b, 0.5 * (a + b)), closest_on_triangle({2, 1, 0}, a, a, a)})
     QVERIFY(weights.allFinite() && std::abs(weights.sum() - 1.0) < 1e-12);
+}
+
+void ClosestPointTreeTest::ATriangleThatIsALineIsItsEdges() {
+  // As STL files have them: the third corner on the line of the others, as far as doubles can be.
+  std::uniform_real_distribution<double> place(-0.5, 1.5);
+  const auto from_edge = [](const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double along = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (p - a - along * (b - a)).norm();
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d a = random_point(0.1), b = random_point(0.1), c = a + place(generator) * (b - a),
+                          p = random_point(0.2);
+    const Eigen::Vector3d weights = closest_on_triangle(p, a, b, c);
+    const double distance = (weights[0] * a + weights[1] * b + weights[2] * c - p).norm();
+    const double truth = std::min({from_edge(p, a, b), from_edge(p, b, c), from_edge(p, c, a)});
+    QVERIFY2(std::abs(distance - truth) < 1e-9,
+             qPrintable(QString::number(1e3 * (distance - truth)) + " mm"));
+    QVERIFY(weights.minCoeff() >= 0.0 && std::abs(weights.sum() - 1.0) < 1e-12);
+  }
 }
 
 void ClosestPointTreeTest::RefitWithOtherVerticesIsRefused() {

@@ -33,6 +33,7 @@ class MeshFormatsTest : public QObject {
   void MutatedFilesNeverCrash();
   void ObjPolygonsAndNegativeIndices();
   void AsciiAndBinaryStlAgree();
+  void StlThatBeginsWithNoNumberIsRefusedAtOnce();
   void LegacyVersionsSayTheSame_data();
   void LegacyVersionsSayTheSame();
   void LegacyWithWrongCountsIsRefused_data();
@@ -273,6 +274,23 @@ void MeshFormatsTest::AsciiAndBinaryStlAgree() {
   QVERIFY((a.vertices - b.vertices).cwiseAbs().maxCoeff() < 1e-8);
   write_text(ascii, text.substr(0, text.rfind("vertex")));
   QVERIFY_EXCEPTION_THROWN(read_triangle_mesh(ascii, LengthUnit::millimetre), InputError);
+}
+
+void MeshFormatsTest::StlThatBeginsWithNoNumberIsRefusedAtOnce() {
+  // Merging equal vertices sorted by what has no order: each was held against every other, for hours.
+  constexpr std::uint32_t kFacets = 200000;
+  std::string bytes(80, ' ');
+  append_little_endian(bytes, kFacets);
+  for (std::uint32_t f = 0; f < kFacets; ++f) {
+    for (int k = 0; k < 12; ++k) append_little_endian(bytes, static_cast<float>(12 * f + k));
+    bytes.append(2, '\0');
+  }
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(bytes.data() + 84 + 12, &none, sizeof none);
+  const WrittenFile written("mesh.stl", bytes);
+  QVERIFY(complaint<InputError>([&] {
+            read_triangle_mesh(written.path, LengthUnit::millimetre);
+          }).find("vertex 0") != std::string::npos);
 }
 
 void MeshFormatsTest::LegacyVersionsSayTheSame_data() {

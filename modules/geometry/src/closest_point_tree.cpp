@@ -33,6 +33,30 @@ Eigen::Array3f above(const Eigen::Array3d& values) {
 /// A squared distance to a box in single precision that is larger than this is larger than `squared`.
 float limit_of(double squared) { return static_cast<float>(squared * (1.0 + 3e-6)) + 1e-37F; }
 
+/// The square of the sine between two edges below which a triangle is a line, as far as rounding lets one
+/// see.
+constexpr double kLine = 1e-24;
+
+/// The point closest to p on the edges of a triangle that is a line or a point, as barycentric weights.
+Eigen::Vector3d closest_on_edges(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners) {
+  Eigen::Vector3d closest = Eigen::Vector3d::UnitX();
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    const Eigen::Vector3d from = corners[static_cast<std::size_t>(k)],
+                          edge = corners[static_cast<std::size_t>(next)] - from;
+    const double length2 = edge.squaredNorm();
+    const double share = length2 > 0.0 ? std::clamp((p - from).dot(edge) / length2, 0.0, 1.0) : 0.0;
+    const double squared = (p - from - share * edge).squaredNorm();
+    if (!(squared < least)) continue;
+    least = squared;
+    closest.setZero();
+    closest[k] = 1.0 - share;
+    closest[next] = share;
+  }
+  return closest;
+}
+
 }  // namespace
 
 Eigen::Vector3d closest_on_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
@@ -61,8 +85,10 @@ Eigen::Vector3d closest_on_triangle(const Eigen::Vector3d& p, const Eigen::Vecto
     const double sum = (d4 - d3) + (d5 - d6), w = sum > 0.0 ? (d4 - d3) / sum : 0.0;
     return {0.0, 1.0 - w, w};
   }
+  // Of a line the three are rounding, their sum too, and so would be the weights.
   const double total = va + vb + vc;
-  if (!(total > 0.0)) return {1.0, 0.0, 0.0};  // a point: any vertex is as close
+  if (!(total > 0.0) || !(ab.cross(ac).squaredNorm() > kLine * ab.squaredNorm() * ac.squaredNorm()))
+    return closest_on_edges(p, {a, b, c});
   return {va / total, vb / total, vc / total};
 }
 

@@ -34,7 +34,10 @@ void add_fan(const std::vector<int>& polygon, std::vector<int>& corners) {
 TriangleMesh soup(const std::vector<double>& coordinates) {
   std::vector<int> corners(coordinates.size() / 3);
   for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<int>(i);
-  return merge_vertices(mesh_of(coordinates, corners), 0.0);
+  TriangleMesh facets = mesh_of(coordinates, corners);
+  // What is no number has no place in an order: every vertex would be held against every other. It is refused
+  // as such by whoever asked.
+  return facets.vertices.allFinite() ? merge_vertices(facets, 0.0) : facets;
 }
 
 TriangleMesh read_binary_stl(const std::string& content, std::uint32_t facets) {
