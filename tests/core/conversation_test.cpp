@@ -2,7 +2,13 @@
 // A child that is asked things: what it answers, that it may be silent for ever, and what an end is.
 #include <QTest>
 
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
 #include "glisson/core/child_process.h"
+#include "glisson/core/files.h"
 
 using namespace glisson;
 
@@ -11,6 +17,24 @@ namespace {
 constexpr double kPatient = 60.0, kShort = 0.05;  // seconds
 
 Conversation shell(const char* script) { return {"/bin/sh", {"-c", script}}; }
+
+/// The whole group of processes that this one is in is asked to stop, as by Ctrl-C and by `timeout`. It is a
+/// group of this test alone.
+class AskedToStop {
+ public:
+  AskedToStop() {
+    ::setpgid(0, 0);
+    for (const int request : {SIGINT, SIGTERM}) std::signal(request, [](int) {});
+  }
+  AskedToStop(const AskedToStop&) = delete;
+  AskedToStop& operator=(const AskedToStop&) = delete;
+  ~AskedToStop() {
+    for (const int request : {SIGINT, SIGTERM}) std::signal(request, SIG_DFL);
+  }
+  void all() const {
+    for (const int request : {SIGINT, SIGTERM}) ::kill(0, request);
+  }
+};
 
 }  // namespace
 
@@ -42,6 +66,36 @@ class ConversationTest : public QObject {
     Conversation brief = shell("printf ab");
     char bytes[3] = {};
     QVERIFY(!brief.receive(bytes, 3, kPatient));
+  }
+  /// It is this process that decides what becomes of it: it would be taken for one that a file has broken.
+  void AChildOutlivesWhatAsksTheWholeGroupToStop() {
+    const AskedToStop asked;
+    Conversation echo = shell("exec cat");
+    for (const int number : {5, 6}) {
+      int answer = 0;
+      QVERIFY(echo.send(number, kPatient) && echo.receive(answer, kPatient));
+      QCOMPARE(answer, number);
+      asked.all();
+    }
+  }
+  void AChildThatIsWaitedForOutlivesItToo() {
+    const AskedToStop asked;
+    const TemporaryFolder folder;
+    const std::string told = (folder.path() / "told").string();
+    const auto end = run_child("/bin/sh", {"-c", "echo; while [ ! -e " + told + " ]; do sleep 0.01; done"},
+                               RunContext(), [&](const std::string&) {
+                                 asked.all();
+                                 std::ofstream{told};
+                               });
+    QVERIFY(end.has_value());
+    QCOMPARE(end->signal, 0);
+    QCOMPARE(end->code, 0);
+  }
+  /// And a cancel ends it all the same.
+  void ACancelEndsAChild() {
+    const auto cancel = std::make_shared<CancelFlag>();
+    QVERIFY(!run_child("/bin/sh", {"-c", "echo; exec sleep 600"}, RunContext({}, cancel, 1),
+                       [&](const std::string&) { cancel->request(); }));
   }
 };
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -25,8 +26,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kPollMilliseconds = 20;  // how long a cancel may go unnoticed
-constexpr std::chrono::minutes kLongestSilence(10);
+constexpr int kPollMilliseconds = 20;      // how long a cancel may go unnoticed
+constexpr double kLongestSilence = 600.0;  // seconds
 
 /// Both ends of a pipe, closed when done with.
 struct Pipe {
@@ -67,13 +68,16 @@ pid_t spawn(const std::string& program, const std::vector<std::string>& argument
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  // Signals that this thread blocks would stay blocked in the child.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
+  // Signals that this thread blocks would stay blocked in the child.
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  // A group of its own: Ctrl-C and `timeout` signal a whole group, and a child that they ended would be taken
+  // for one that a damaged file has broken. This process alone is asked to stop, and stops the child.
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
   pid_t child = -1;
   const int failure =
       ::posix_spawnp(&child, program.c_str(), &actions, &attributes, pointers.data(), environ);
@@ -91,6 +95,27 @@ ChildExit wait_for(pid_t child) {
   if (WIFSIGNALED(status)) return {-1, WTERMSIG(status)};
   return {WEXITSTATUS(status), 0};
 }
+
+/// A time to wait that is used up while this process runs. While it is stopped (Ctrl-Z), it hears nothing of
+/// the child, which is no silence.
+class Patience {
+ public:
+  explicit Patience(double seconds) : left_(seconds) {}
+  /// Waits until something can be done, for a part of what is left. @return as poll().
+  int wait(pollfd& waiting) {
+    const auto begin = Clock::now();
+    const double turn = std::clamp(left_, 0.0, kTurn);
+    const int ready = ::poll(&waiting, 1, static_cast<int>(std::ceil(1e3 * turn)));
+    const double passed = std::chrono::duration<double>(Clock::now() - begin).count();
+    left_ -= std::min(passed, 2.0 * kTurn);
+    return ready;
+  }
+  bool over() const { return left_ <= 0.0; }
+
+ private:
+  static constexpr double kTurn = 1e-3 * kPollMilliseconds;
+  double left_;
+};
 
 /// Hands out the whole lines in `pending` and keeps the rest.
 void give_lines(std::string& pending, const std::function<void(const std::string&)>& on_line) {
@@ -129,9 +154,9 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
   pipe.close_write_end();
   std::string pending;
   std::array<char, 4096> buffer{};
-  auto heard = Clock::now();
+  Patience patience(kLongestSilence);
   while (true) {
-    const bool silent = Clock::now() - heard > kLongestSilence;
+    const bool silent = patience.over();
     if (silent || context.cancelled()) {
       ::kill(child, SIGKILL);
       const ChildExit end = wait_for(child);
@@ -139,12 +164,11 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
       return std::nullopt;
     }
     pollfd waiting{pipe.read_end, POLLIN, 0};
-    const int ready = ::poll(&waiting, 1, kPollMilliseconds);
-    if (ready <= 0) continue;  // time to look at the context, or a signal of ours
+    if (patience.wait(waiting) <= 0) continue;  // time to look at the context, or a signal of ours
     const ssize_t got = ::read(pipe.read_end, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;  // the child has closed its output: it is ending
-    heard = Clock::now();
+    patience = Patience(kLongestSilence);
     pending.append(buffer.data(), static_cast<std::size_t>(got));
     give_lines(pending, on_line);
   }
@@ -184,14 +208,11 @@ bool Conversation::waits_for(double seconds) const {
 }
 
 bool Conversation::exchange(bool sends, char* bytes, std::size_t count, double seconds) {
-  const auto until =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  Patience patience(seconds);
   while (count > 0 && socket_ >= 0) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd waiting{socket_, static_cast<short>(sends ? POLLOUT : POLLIN), 0};
-    const int ready =
-        left > 0 ? ::poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 1000000))) : 0;
-    if (ready < 0 && errno == EINTR) continue;
+    const int ready = patience.wait(waiting);
+    if (ready <= 0 && !patience.over()) continue;
     ssize_t moved = -1;
     if (ready > 0)  // a child that has ended must not end us by SIGPIPE
       moved = sends ? ::send(socket_, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT)

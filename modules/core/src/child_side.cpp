@@ -33,6 +33,7 @@ void begin() {
   ::syscall(SYS_close_range, 3U, std::numeric_limits<unsigned>::max(), 0U);
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
+  leave_requests_to_the_parent();
 }
 
 void allow_seconds(double seconds) {

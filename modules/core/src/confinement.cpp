@@ -237,6 +237,11 @@ void die_with_parent() {
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  leave_requests_to_the_parent();
+}
+
+void leave_requests_to_the_parent() {
+  for (const int request : {SIGINT, SIGTERM}) ::signal(request, SIG_IGN);
 }
 
 std::vector<std::string> escapes() {

@@ -10,7 +10,9 @@
 #include "glisson/core/run_context.h"
 
 /// @file
-/// Programs of our own that parse foreign files for us: what a file does to them it does to them alone.
+/// Programs of our own that parse foreign files for us: what a file does to them it does to them alone. Each
+/// is in a process group of its own: what asks Glisson's group to stop (Ctrl-C, `timeout`) does not end them
+/// behind its back.
 
 namespace glisson {
 

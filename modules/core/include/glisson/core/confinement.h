@@ -32,8 +32,12 @@ void limit_memory(double bytes);
 void limit_seconds(double seconds);
 /// Of each file that is written: a write beyond it ends the process (or fails, where SIGXFSZ is ignored).
 void limit_written_file(double bytes);
-/// No core dump (it would hold a patient's data), and no life beyond the parent's.
+/// No core dump (it would hold a patient's data), and no life beyond the parent's, which decides on it alone
+/// (leave_requests_to_the_parent).
 void die_with_parent();
+/// A request to stop (SIGINT, SIGTERM) that goes to every process of a session or a service is for the
+/// parent, which ends this one. If this one ended by itself, the parent would take the file for damaged.
+void leave_requests_to_the_parent();
 
 /// Tries what a confined process must not do, and tells what it could: "network", "program", "write", "read".
 std::vector<std::string> escapes();
