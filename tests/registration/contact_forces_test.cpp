@@ -74,6 +74,13 @@ struct Pulled {
   double error(const ContactForceFit& fit) const {
     return (fit.nodes_in_camera - truth).rowwise().norm().mean();
   }
+  /// Isotropic. @param every so many-th point, m.
+  void shake(double deviation, int every = 1) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal(0.0, deviation);
+    for (int i = 0; i < cloud.size(); i += every)
+      for (int c = 0; c < 3; ++c) cloud.points(i, c) += normal(random);
+  }
   double motion() const { return (model.mesh.vertices - truth).rowwise().norm().mean(); }
 };
 
@@ -255,6 +262,51 @@ class ContactForcesTest : public QObject {
       few.points.conservativeResize(9, 3);
       QVERIFY_EXCEPTION_THROWN(follower.follow(few, RunContext()), InputError);
     }
+  }
+
+  void TheLawIsChosenByTheCloudThatTellsMost() {
+    Pulled pulled;
+    ForceFollower follower(pulled.model, {}, pulled.options());
+    pulled.shake(4e-3);
+    follower.follow(pulled.cloud, RunContext());
+    pulled.see(pulled.truth);
+    const auto clean = follower.follow(pulled.cloud, RunContext());
+    QVERIFY(clean->laws[static_cast<std::size_t>(clean->chosen)].material.law == fem::BodyLaw::linear);
+    QVERIFY2(pulled.error(*clean) < 0.05 * pulled.motion(),
+             qPrintable(QString("%1 of %2 mm").arg(1e3 * pulled.error(*clean)).arg(1e3 * pulled.motion())));
+    // A noisy one after it changes nothing for the next; nor is the law sought again by what tells no more.
+    pulled.shake(4e-3);
+    QVERIFY(follower.follow(pulled.cloud, RunContext())->laws.size() == 1);
+    pulled.see(pulled.truth);
+    const auto last = follower.follow(pulled.cloud, RunContext());
+    QVERIFY(last->laws.size() == 1);
+    QVERIFY(last->laws.front().material == clean->laws[static_cast<std::size_t>(clean->chosen)].material);
+    QVERIFY(pulled.error(*last) < 0.05 * pulled.motion());
+  }
+
+  void AWrongCloudIsToldAndForgotten() {
+    Pulled pulled;
+    const ContactForceOptions options = pulled.options();
+    ForceFollower follower(pulled.model, {}, options);
+    follower.follow(pulled.cloud, RunContext());
+    const Eigen::RowVector3d middle = pulled.cloud.points.colwise().mean();
+    const LabelledCloud right = pulled.cloud;
+    const auto told = [&](const LabelledCloud& cloud) {
+      try {
+        follower.follow(cloud, RunContext());
+      } catch (const NumericalError&) {
+        return true;
+      }
+      return false;
+    };
+    LabelledCloud wrong = right;  // mirrored
+    wrong.points.col(0) = 2.0 * middle.x() - wrong.points.col(0).array();
+    QVERIFY(told(wrong));
+    wrong.points = right.points.rowwise() + Eigen::RowVector3d(0.025, 0.0, 0.0);  // slid
+    QVERIFY(told(wrong));
+    const auto next = follower.follow(right, RunContext());
+    QVERIFY2(pulled.error(*next) < 0.05 * pulled.motion(),
+             qPrintable(QString::number(1e3 * pulled.error(*next))));
   }
 
   void FollowingIsCancelled() {

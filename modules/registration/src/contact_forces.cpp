@@ -17,11 +17,6 @@ namespace {
 /// so it is chosen only where the cloud clearly asks for it.
 constexpr double kLinearPrior = -3.0;
 
-/// Log evidence of a fit and of its law.
-double score(const LawFit& law) {
-  return law.log_evidence + (law.material.law == fem::BodyLaw::linear ? kLinearPrior : 0.0);
-}
-
 /// Independent fits, on one thread or two. Each is computed by one thread from start to end, so its bits do
 /// not depend on the number of threads.
 class Fits {
@@ -70,7 +65,7 @@ class Fits {
     const std::size_t first = done_;
     if (!run(from, to)) return false;
     for (std::size_t i = 0; i < moving.size(); ++i)
-      if (score(fitters_[first + i]->law()) > score(fitters_[moving[i]]->law()))
+      if (log_posterior(fitters_[first + i]->law()) > log_posterior(fitters_[moving[i]]->law()))
         std::swap(fitters_[first + i], fitters_[moving[i]]);
     fitters_.resize(done_ = first);
     return true;
@@ -90,11 +85,12 @@ class Fits {
       const ContactForceFit other = fitter->result();
       const Eigen::VectorXd away = (other.nodes_in_camera - fit.nodes_in_camera).rowwise().norm();
       fit.laws.back().away = away.mean();
-      const double probability = std::exp(score(fitter->law()) - score(best().law()));
+      const double probability = std::exp(log_posterior(fitter->law()) - log_posterior(best().law()));
       squares += probability * (other.expected_error.cwiseAbs2() + away.cwiseAbs2());
       total += probability;
       if (fitter.get() != &best())
-        fit.others.push_back({other.nodes_in_camera, score(fitter->law()) - score(best().law())});
+        fit.others.push_back(
+            {other.nodes_in_camera, log_posterior(fitter->law()) - log_posterior(best().law())});
     }
     fit.expected_error = (squares / total).cwiseSqrt();
     return fit;
@@ -104,7 +100,7 @@ class Fits {
   std::size_t best_index() const {
     std::size_t best = 0;
     for (std::size_t k = 1; k < done_; ++k)
-      if (score(fitters_[k]->law()) > score(fitters_[best]->law())) best = k;
+      if (log_posterior(fitters_[k]->law()) > log_posterior(fitters_[best]->law())) best = k;
     return best;
   }
 
@@ -117,6 +113,10 @@ class Fits {
 };
 
 }  // namespace
+
+double log_posterior(const LawFit& law) {
+  return law.log_evidence + (law.material.law == fem::BodyLaw::linear ? kLinearPrior : 0.0);
+}
 
 void ContactForceOptions::validate() const {
   const OptionCheck demand("contact forces");
@@ -144,6 +144,12 @@ void ContactForceOptions::validate() const {
   demand(max_step > 0.0, "max_step", max_step, "Give a positive length in metres");
   demand(most_points >= 10, "most_points", most_points, "Give 10 or more");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
+}
+
+bool is_beyond_tissue(const ContactForceFit& fit, int elements) {
+  constexpr int kFew = 5, kOneIn = 1000;
+  constexpr double kTorn = 0.02;
+  return fit.inverted > std::max(kFew, elements / kOneIn) || fit.torn > kTorn;
 }
 
 Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const LabelledCloud& cloud,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "force_fitter.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,6 +40,28 @@ Rigid<CtFrame, CtFrame> twist_about(const Eigen::Vector3d& centre, const Eigen::
 
 PreparedCloud prepared(const LabelledCloud& cloud, const ContactForceOptions& options) {
   return prepare_cloud(cloud, {3.9, options.most_points, 10});
+}
+
+/// See ContactForceFit::torn.
+double torn_share(const TetMesh& mesh, const Points& rest, const Points& x) {
+  constexpr double kLongest = 2.0;
+  double torn = 0.0, all = 0.0;
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
+    Eigen::Matrix3d before, after;
+    for (int k = 0; k < 3; ++k) {
+      before.col(k) = (rest.row(mesh.tetrahedra(t, k + 1)) - rest.row(mesh.tetrahedra(t, 0))).transpose();
+      after.col(k) = (x.row(mesh.tetrahedra(t, k + 1)) - x.row(mesh.tetrahedra(t, 0))).transpose();
+    }
+    const Eigen::Matrix3d f = after * before.inverse();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    eigen.computeDirect(f.transpose() * f, Eigen::EigenvaluesOnly);  // squared stretches
+    const double volume = std::abs(before.determinant());
+    all += volume;
+    if (eigen.eigenvalues().maxCoeff() > kLongest * kLongest ||
+        eigen.eigenvalues().minCoeff() < 1.0 / (kLongest * kLongest))
+      torn += volume;
+  }
+  return torn / all;
 }
 
 }  // namespace
@@ -431,6 +453,7 @@ ContactForceFit ForceFitter::result() const {
   fit.looks = best_.looks;
   fit.outlier_share = best_.outlier_share;
   fit.inverted = best_.inverted;
+  fit.torn = torn_share(problem_.model.mesh, body_.rest(), best_.x);
   fit.iterations = iterations_;
   fit.termination = best_.law.termination;
   return fit;

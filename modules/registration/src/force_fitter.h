@@ -12,6 +12,9 @@
 
 namespace glisson::registration {
 
+/// Log evidence of a fit and of its law, up to a constant: what laws are compared by.
+double log_posterior(const LawFit& law);
+
 /// What all laws' fits of one cloud share. Read only.
 struct ForceProblem {
   const PatientModel& model;

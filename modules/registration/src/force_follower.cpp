@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "force_fitter.h"
@@ -12,7 +13,16 @@
 namespace glisson::registration {
 namespace {
 
+/// How many times more a cloud must tell than all before it, for the law to be chosen again. What a cloud can
+/// tell is bounded (its motion is, its noise is at least the last stage's), so there are few such searches.
 constexpr double kTellsMore = 1.5;
+/// @throws NumericalError the cloud shows something else.
+void require_tissue(const ContactForceFit& fit, int elements) {
+  if (is_beyond_tissue(fit, elements))
+    throw NumericalError(
+        "The cloud is explained only by a shape that no tissue has: " + std::to_string(fit.inverted) +
+        " elements are inside out, " + std::to_string(100.0 * fit.torn) + " % of the volume is torn.");
+}
 
 }  // namespace
 
@@ -24,15 +34,19 @@ struct ForceFollower::Impl {
 
   /// What a cloud leaves to the next one.
   struct Ended {
-    LawFit law;  ///< that the first cloud made most probable; its last sigma
+    LawFit law;  ///< that the cloud which tells most made most probable; the last sigma
     CameraFromCt pose;
     Points nodes_in_ct;
     std::vector<int> strongest;  ///< nodes where forces act, the strongest first
-    double told_by = 0.0;        ///< mean motion of the nodes from rest, m, under which the law was chosen
+    double told_by = 0.0;        ///< the most that a cloud told for which the law was chosen
   };
   std::optional<Ended> now, before;  ///< empty: the next cloud is the first
 
-  double motion() const { return (now->nodes_in_ct - model.mesh.vertices).rowwise().norm().mean(); }
+  /// How well a cloud tells laws apart. They differ the more the farther the organ moves, and noise hides
+  /// that: mean motion of the nodes from rest over the deviation of the points. No unit.
+  double telling() const {
+    return (now->nodes_in_ct - model.mesh.vertices).rowwise().norm().mean() / now->law.sigma;
+  }
 
   void take(const ContactForceFit& fit, const LawFit& of, double told_by) {
     now = {of, fit.camera_from_ct, fit.camera_from_ct.inverse().apply(fit.nodes_in_camera), {}, told_by};
@@ -42,9 +56,10 @@ struct ForceFollower::Impl {
   Cancellable<ContactForceFit> first(const LabelledCloud& cloud, const RunContext& context) {
     auto fit = fit_contact_forces(model, cloud, start, options, context);
     if (!fit) return {};
+    require_tissue(*fit, model.mesh.tetrahedron_count());
     problem.emplace(model, cloud, start, options);
     take(*fit, fit->laws[static_cast<std::size_t>(fit->chosen)], 0.0);
-    now->told_by = motion();
+    now->told_by = telling();
     return fit;
   }
 
@@ -64,10 +79,31 @@ struct ForceFollower::Impl {
     ContactForceFit fit = fitter.result();
     fit.laws = {fitter.law()};
     fit.chosen = 0;
+    require_tissue(fit, model.mesh.tetrahedron_count());
     take(fit, fitter.law(), from.told_by);
-    // Laws differ the more the farther the organ moves: what a small motion chose is chosen again.
-    if (motion() > kTellsMore * now->told_by) return first(cloud, context);
+    if (telling() > kTellsMore * now->told_by) return choose_again(cloud, std::move(fit), context);
     return fit;
+  }
+
+  /// The law is chosen anew by a cloud that tells more than all before, which was followed already. What is
+  /// found from rest is kept only where it is more probable than what was followed. What the cloud told is
+  /// remembered either way, so that such a search is not repeated for each cloud.
+  Cancellable<ContactForceFit> choose_again(const LabelledCloud& cloud, ContactForceFit followed,
+                                            const RunContext& context) {
+    const Ended there = *now;
+    const double told = telling();
+    Cancellable<ContactForceFit> chosen = std::move(followed);
+    try {
+      auto found = first(cloud, context);
+      if (!found) return {};
+      if (log_posterior(now->law) > log_posterior(there.law))
+        chosen = std::move(found);
+      else
+        now = there;
+    } catch (const NumericalError&) {  // nothing better is found from rest
+    }
+    now->told_by = std::max(told, telling());
+    return chosen;
   }
 };
 
@@ -86,7 +122,9 @@ ForceFollower& ForceFollower::operator=(ForceFollower&&) noexcept = default;
 
 Cancellable<ContactForceFit> ForceFollower::follow(const LabelledCloud& cloud, const RunContext& context) {
   impl_->before = impl_->now;
-  return impl_->now ? impl_->next(cloud, context) : impl_->first(cloud, context);
+  auto fit = impl_->now ? impl_->next(cloud, context) : impl_->first(cloud, context);
+  if (!fit) impl_->now = impl_->before;
+  return fit;
 }
 
 void ForceFollower::forget_last() { impl_->now = impl_->before; }

@@ -15,7 +15,7 @@
 namespace glisson::registration {
 namespace {
 
-std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
+std::vector<std::string> doubts_of(const ContactForceFit& fit, int elements, double seen) {
   constexpr double kRival = 5.0;
   constexpr double kOtherShape = 5e-3;  // m
   const LawFit& law = fit.laws[static_cast<std::size_t>(fit.chosen)];
@@ -23,7 +23,9 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   if (seen < kLittleSeen) doubts.emplace_back("little_surface_seen");
   if (fit.outlier_share > 0.2) doubts.emplace_back("many_outliers");
   if (fit.residual > kLargeResidual) doubts.emplace_back("residual_large");
-  if (fit.inverted > 0 && law.material.law != fem::BodyLaw::linear) doubts.emplace_back("inverted_elements");
+  // The linear law itself turns single elements inside out.
+  if (fit.inverted > 0 && (law.material.law != fem::BodyLaw::linear || is_beyond_tissue(fit, elements)))
+    doubts.emplace_back("inverted_elements");
   if (std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
         return rival.log_evidence > law.log_evidence - kRival && rival.away > kOtherShape;
       }))
@@ -87,7 +89,7 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(fit->nodes_in_camera);
   made.seen_share = seen_share(surface.mesh(), as_looked(cloud, fit->looks).points);
-  made.doubts = doubts_of(*fit, made.seen_share);
+  made.doubts = doubts_of(*fit, model.mesh.tetrahedron_count(), made.seen_share);
   if (!shapes) return made;
   // The forces' law counts against the shape that the modes make, which may itself be folded.
   TetMesh bent = model.mesh;

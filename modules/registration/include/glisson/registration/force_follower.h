@@ -7,10 +7,11 @@
 
 namespace glisson::registration {
 
-/// A series of clouds of one organ by contact forces (contact_forces.h). The first cloud chooses the law;
-/// each later one is fitted under it from where the organ was, beginning with the stage whose noise explains
-/// how far the new cloud lies from there. Forces are found anew for each cloud: nothing of an error is handed
-/// on but the place where closest points are sought. Not thread-safe.
+/// A series of clouds of one organ by contact forces (contact_forces.h). The first cloud chooses the law, and
+/// a later one again where it tells laws apart better than all before: by a larger motion over its noise.
+/// Each is fitted under that law from where the organ was, beginning with the stage whose noise explains how
+/// far the new cloud lies from there. Forces are found anew for each cloud: nothing of an error is handed on
+/// but the place where closest points are sought. Not thread-safe.
 class ForceFollower {
  public:
   /// @param start where the model's rest shape is before the camera; see fit_contact_forces.
@@ -21,7 +22,8 @@ class ForceFollower {
   ForceFollower& operator=(ForceFollower&&) noexcept;
 
   /// The next cloud, in the camera's frame. After a failure the next one is followed from the last that
-  /// succeeded. @throws InputError, NumericalError as fit_contact_forces.
+  /// succeeded. @throws InputError, NumericalError as fit_contact_forces; NumericalError the cloud shows
+  /// something else (is_beyond_tissue()).
   Cancellable<ContactForceFit> follow(const LabelledCloud& cloud, const RunContext& context);
 
   /// The next cloud is followed from where the organ was before the last one, as if that had not been.
