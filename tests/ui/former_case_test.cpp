@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QKeySequence>
 #include <QLabel>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPointer>
 #include <QStatusBar>
@@ -27,6 +28,8 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
   void WhatAnImageIsIsAskedOfThatImageAlone();
   void ABrushElsewhereIsNotTheEditors();
   void LabelsAloneAreKeptToo();
+  void AStrokeEndsWithItsCase();
+  void ASeedThatCameTooLateIsNotTheNextPatients();
 
  private:
   /// Of the CT with labels and seeds.
@@ -122,6 +125,40 @@ void FormerCaseTest::LabelsAloneAreKeptToo() {
   QCOMPARE(who->text(), QString("Anonymous"));
   for (const QAction* action : window_->findChildren<QAction*>())
     if (action->shortcut() == QKeySequence(QKeySequence::Save)) QVERIFY(action->isEnabled());
+}
+
+void FormerCaseTest::AStrokeEndsWithItsCase() {
+  const auto other = saved_case();
+  choose(structure::kPortalVein);
+  press("tool_paint");
+  const long before = count(structure::kPortalVein);
+  // Opening takes a while, and the hand goes on drawing: the first piece of the stroke comes too late, and
+  // what is left of it with the piece.
+  window_->engine().post(engine::OpenCase{other});
+  drag(slice(scene::Plane::axial), {{-0.03, 0.02, 0.0}, {0.0, 0.02, 0.0}, {0.02, 0.02, 0.0}});
+  QVERIFY(settle());
+  QCOMPARE(count(structure::kPortalVein), before);
+  QVERIFY(!window_->isWindowModified());
+  // The tool is at hand in the next case.
+  drag(slice(scene::Plane::axial), {{-0.03, 0.02, 0.0}, {0.0, 0.02, 0.0}});
+  QVERIFY(settle());
+  QVERIFY(count(structure::kPortalVein) > before);
+}
+
+void FormerCaseTest::ASeedThatCameTooLateIsNotTheNextPatients() {
+  open_ct();
+  const auto other = folder_->path() / "without_seeds.glisson";
+  window_->engine().post(engine::SaveCase{other, true});
+  QVERIFY(settle());
+  press("seed_parenchyma");
+  window_->engine().post(engine::OpenCase{other});
+  QTest::mouseClick(&slice(scene::Plane::axial), Qt::LeftButton, {},
+                    slice(scene::Plane::axial).widget_point(Point<CtFrame>(0.0, 0.02, 0.0)).toPoint());
+  QCOMPARE(find<QListWidget>("seed_list")->count(), 1);  // ahead of the case
+  QVERIFY(settle());
+  QVERIFY(!window_->engine().state()[part::seeds]);
+  QCOMPARE(find<QListWidget>("seed_list")->count(), 0);
+  QVERIFY(window_->views().state().markers().empty());
 }
 
 }  // namespace glisson

@@ -31,7 +31,8 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
   line_ = nullptr;
   box_.reset();
   pointer_.reset();
-  measures_->wipe();  // they lie in the former image
+  measures_->wipe();       // they lie in the former image
+  emit gesture_dropped();  // what a hand was drawing, too
   emit volume_changed();
   emit crosshair_changed();
 }

@@ -165,6 +165,8 @@ void EditSession::show_case() {
     problem_.clear();  // of what was done to the former one
     notes_.clear();
     drop_clicks();
+    stroke_.reset();  // what is left of it would be drawn into another patient
+    outline_.clear();
   }
   const auto& labels = engine_.state()[part::labels];
   if (labels != listed_) {

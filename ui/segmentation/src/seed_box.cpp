@@ -107,7 +107,9 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
   connect(&views_, &ViewState::gestured, this, &SeedBox::draw_lesion);
   connect(&engine_, &EngineBridge::case_changed, this, &SeedBox::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
+    if (storing_.erase(outcome.id) == 0 || !storing_.empty()) return;
+    take_seeds();  // those of the case, also where what was stored did not come to it
+    show_case();
   });
   for (const TaskButton* button : {run_, propose_})
     connect(button, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
@@ -358,16 +360,19 @@ void SeedBox::show_case() {
   if (engine_.state()[part::image] != image_) {
     image_ = engine_.state()[part::image];
     known_lesions_.clear();
+    drawn_from_.reset();
     notes_->hide();  // they were said of the former one
   }
   // While own edits are on their way the box is ahead of the case.
-  if (storing_.empty() && engine_.state()[part::seeds] != taken_) {
-    taken_ = engine_.state()[part::seeds];
-    seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
-    show_seeds();
-  }
+  if (storing_.empty() && engine_.state()[part::seeds] != taken_) take_seeds();
   if (!engine_.state()[part::labels] && seeds_.liver.rows() == 0) notes_->hide();
   show_buttons();
+}
+
+void SeedBox::take_seeds() {
+  taken_ = engine_.state()[part::seeds];
+  seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
+  show_seeds();
 }
 
 void SeedBox::show_seeds() {

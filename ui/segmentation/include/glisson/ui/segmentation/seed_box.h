@@ -58,6 +58,8 @@ class SeedBox : public QWidget {
   /// The structures that can be seeded.
   std::vector<Label> choices() const;
   void show_case();
+  /// From the case.
+  void take_seeds();
   void show_seeds();
   void show_buttons();
   QPushButton* make_button(Label label);
