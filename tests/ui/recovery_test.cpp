@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <cstdio>
 
 #include "glisson/core/files.h"
@@ -18,6 +19,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/recovery.h"
 #include "glisson/ui/shell/autosaver.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/shell/run_window.h"
@@ -69,6 +71,7 @@ class RecoveryTest : public QObject {
   void cleanup() { folder_.reset(); }
   void AKilledWindowsWorkIsOffered();
   void ThrownAwayItIsGone();
+  void WhatCannotBeOpenedStays();
   void NothingIsKeptOfWhatIsSavedOrThrownAway();
   void LongWorkIsPrecededByACopy();
 
@@ -127,6 +130,37 @@ void RecoveryTest::ThrownAwayItIsGone() {
   QTest::mouseClick(drop, Qt::LeftButton);
   QTRY_COMPARE(std::distance(fs::directory_iterator(root()), fs::directory_iterator()), 1L);  // this window's
   QVERIFY(window.engine().state()[part::image] == nullptr);
+}
+
+void RecoveryTest::WhatCannotBeOpenedStays() {
+  kill_a_window();
+  MainWindow window;
+  window.show();
+  Autosaver autosaver(window.engine(), window, root());
+  autosaver.set_period(std::chrono::milliseconds(20));
+  const auto left = engine::find_recoverable(root());
+  QCOMPARE(left.size(), std::size_t{1});
+  autosaver.offer_recovery();
+  QPushButton* recover = button_of(window, "recover");
+  QVERIFY(recover != nullptr);
+  // A disk that fails for a while: nothing of the copy can be read.
+  const fs::path away = folder_->path() / "away";
+  fs::rename(left.front().copy, away);
+  QSignalSpy ended(&window.engine(), &ui::EngineBridge::finished);
+  QTest::mouseClick(recover, Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
+  QVERIFY(ended.at(0).at(0).value<engine::Outcome>().status == engine::Status::failed);
+  fs::rename(away, left.front().copy);
+  // Other work is kept meanwhile, as it should be.
+  window.engine().post(engine::ImportImage{folder_->path() / "ct.nrrd", {}, true});
+  const auto is_kept = [&] {
+    return std::any_of(ended.begin(), ended.end(), [](const QList<QVariant>& one) {
+      const auto outcome = one.at(0).value<engine::Outcome>();
+      return outcome.command == "keep_copy" && outcome.status == engine::Status::done;
+    });
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(is_kept(), 20000);
+  QVERIFY(fs::exists(left.front().copy / "case.json"));
 }
 
 void RecoveryTest::NothingIsKeptOfWhatIsSavedOrThrownAway() {

@@ -54,8 +54,11 @@ void Autosaver::take(const engine::Outcome& outcome) {
   }
   if (recovering_ != outcome.id) return;
   recovering_.reset();
-  // The old copy goes once there is a new one: see below.
-  if (outcome.status == engine::Status::done) keep();
+  // The old copy goes once there is a new one: see below. One that could not be opened stays where it is.
+  if (outcome.status == engine::Status::done)
+    keep();
+  else
+    recovered_ = {};
 }
 
 void Autosaver::forget_what_is_saved() {
