@@ -18,6 +18,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/model.h"
 #include "guidance_window.h"
 
 namespace glisson {
@@ -31,6 +32,7 @@ class GuidancePanelTest : public QObject, protected GuidanceWindow {
   void AChosenLesionTellsItsNumbers();
   void TheOtherPlaceIsLookedAtOverThePicture();
   void AHandPlacesTheOrganOverThePicture();
+  void AHandLetsGoWithItsCase();
   void TheOrganIsShownInThreeDimensions();
   void ErrorGoesWithItsCause();
   void ObstaclesNameTheStepThatHelps();
@@ -120,6 +122,22 @@ void GuidancePanelTest::AHandPlacesTheOrganOverThePicture() {
   QVERIFY(said().contains(QStringLiteral("Placed by hand: not registered")));
   hold->click();
   QTRY_VERIFY_WITH_TIMEOUT(*picture().bytes == *registered.bytes, 20000);
+}
+
+void GuidancePanelTest::AHandLetsGoWithItsCase() {
+  operation_->rival_away = 0.02;
+  reach_registration(4);
+  auto* choice = panel().findChild<QComboBox*>(QStringLiteral("rival"));
+  choice->setCurrentIndex(1);
+  emit choice->activated(1);
+  auto* hold = panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"));
+  hold->click();
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Placed by hand: not registered")), 20000);
+  // Of this case there is no model: what was held and what was compared are of the former one.
+  post(engine::OpenCase{"other.glisson"});
+  QVERIFY(window_->engine().state()[part::model] == nullptr);
+  QVERIFY2(is_blank(), qPrintable(said()));
+  QVERIFY(!hold->isEnabled());
 }
 
 void GuidancePanelTest::TheOrganIsShownInThreeDimensions() {

@@ -80,6 +80,6 @@ void PlacingModel::bring_nearer(double notches) {
   if (is_placing) put(registration::at_distance(pose_, middle_, std::pow(kNotch, notches)));
 }
 
-Points PlacingModel::nodes() const { return pose_.apply(engine_.state()[part::model]->model.mesh.vertices); }
+Points PlacingModel::nodes() const { return pose_.apply(model_->model.mesh.vertices); }
 
 }  // namespace glisson::ui

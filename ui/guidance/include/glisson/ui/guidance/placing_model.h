@@ -8,6 +8,10 @@
 #include "glisson/geometry/rigid.h"
 #include "glisson/ui/common/engine_bridge.h"
 
+namespace glisson::model {
+struct BuiltModel;
+}
+
 namespace glisson::ui {
 
 /// The model while a person holds it before the registered picture, to start a registration from there. Ends
@@ -42,7 +46,8 @@ class PlacingModel : public QObject {
   EngineBridge& engine_;
   CameraFromCt pose_;
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  ///< of the organ, CT frame
-  std::shared_ptr<const void> model_, frame_, cloud_;
+  std::shared_ptr<const model::BuiltModel> model_;    ///< that is held; the case may have another by now
+  std::shared_ptr<const void> frame_, cloud_;
 };
 
 }  // namespace glisson::ui
