@@ -177,7 +177,8 @@ void RecordingBoxTest::RecordingReplacesNothingBesideIt() {
   LiveRecording live(*engine_);
   live.model.what = ui::Recorded::both;
   const std::filesystem::path file = folder_->path() / "live.mkv";
-  for (const auto& former : {ui::Recorder::raw_path(file), ui::Recorder::lines_path(file)}) {
+  for (const std::filesystem::path& former : {ui::Recorder::raw_path(file), ui::Recorder::lines_path(file),
+                                              folder_->path() / "live.mkv.corrections.jsonl"}) {
     write_file_atomically(former, "of a former recording");
     live.start(file);
     QVERIFY(!live.model.is_recording);

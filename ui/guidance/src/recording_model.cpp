@@ -45,7 +45,9 @@ RecordingModel::~RecordingModel() {
 
 void RecordingModel::start(const QString& path) {
   if (is_recording) return;
-  for (const auto& file : {Recorder::raw_path(path.toStdString()), Recorder::lines_path(path.toStdString())})
+  for (const std::filesystem::path& file :
+       {Recorder::raw_path(path.toStdString()), Recorder::lines_path(path.toStdString()),
+        std::filesystem::path(beside(path).toStdString())})
     if (std::error_code ignored; std::filesystem::exists(file, ignored))
       return say(
           tr("%1: lies there already. Choose another name.").arg(QString::fromStdString(file.string())),
