@@ -50,6 +50,7 @@ class CaseKeepingTest : public QObject {
   void ACancelledSaveDoesNotCloseTheWindowLater();
   void OneOfSeveralSeriesIsAskedFor();
   void WhereAFileDoesNotSayCtOrMriIsAsked();
+  void WhatIsAskedIsOfTheImageThatCame();
   void AnotherCtIsAskedWhoseItIs();
   void WhatCannotBeReadIsNobodys_data();
   void WhatCannotBeReadIsNobodys();
@@ -204,6 +205,19 @@ void CaseKeepingTest::WhereAFileDoesNotSayCtOrMriIsAsked() {
   QTRY_COMPARE(table->headerItem()->text(kIntensity), QStringLiteral("Grey"));
   for (const char* box : {"editable_low", "threshold_low"})
     QCOMPARE(window_->findChild<QDoubleSpinBox*>(QLatin1String(box))->suffix(), QString());
+}
+
+void CaseKeepingTest::WhatIsAskedIsOfTheImageThatCame() {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "two_series");
+  write_file_atomically(folder.path() / "unknown.nii", "");
+  window_->open(folder.path() / "unknown.nii");
+  window_->open(folder.path() / "two_series");  // before the first one has come
+  const auto question = [this] {
+    return window_->findChild<QMessageBox*>(QStringLiteral("modality_question"));
+  };
+  QTRY_VERIFY(question() != nullptr);
+  QVERIFY2(question()->text().startsWith(QStringLiteral("unknown.nii")), qPrintable(question()->text()));
 }
 
 void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {

@@ -4,6 +4,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/list_series.h"
@@ -55,7 +56,7 @@ void ImageImport::read(const std::string& series) {
 }
 
 void ImageImport::finish(const engine::ImportImage& image) {
-  image_ = image;
+  imported_ = image;
   importing_ = engine_.post(image);
 }
 
@@ -65,12 +66,12 @@ void ImageImport::take(const engine::Outcome& outcome) {
     importing_.reset();
     const auto& image = engine_.state()[engine::part::image];
     if (done && image && image->modality == Modality::other) ask_modality();
-    image_.scan.reset();
+    imported_.scan.reset();
   } else if (reading_ == outcome.id) {
     reading_.reset();
     if (!done) return;
     image_.scan = outcome.result.as<engine::ReadImage::Result>();
-    emit found(image_);
+    emit found(std::exchange(image_, {}));
   } else if (listing_ == outcome.id) {
     listing_.reset();
     if (done) take_series(outcome);
@@ -89,14 +90,14 @@ void ImageImport::take_series(const engine::Outcome& outcome) {
 void ImageImport::ask_modality() {
   auto* box = new QMessageBox(QMessageBox::Question, tr("CT or MRI?"),
                               tr("%1 does not say whether it is a CT or an MRI.")
-                                  .arg(QString::fromStdString(image_.path.filename().string())),
+                                  .arg(QString::fromStdString(imported_.path.filename().string())),
                               QMessageBox::NoButton, window_);
   box->setObjectName(QStringLiteral("modality_question"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [&](const QString& text, const char* name, Modality modality) {
     QPushButton* button = box->addButton(text, QMessageBox::AcceptRole);
     button->setObjectName(QLatin1String(name));
-    connect(button, &QPushButton::clicked, this, [this, image = image_, modality]() mutable {
+    connect(button, &QPushButton::clicked, this, [this, image = imported_, modality]() mutable {
       image.new_case = false;  // it is that already
       image.modality = modality;
       engine_.post(image);

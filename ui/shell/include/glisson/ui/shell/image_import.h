@@ -40,7 +40,8 @@ class ImageImport : public QObject {
 
   EngineBridge& engine_;
   QWidget* window_;
-  engine::ImportImage image_;  ///< on its way
+  engine::ImportImage image_;     ///< that is looked at; another one may be on its way into the case
+  engine::ImportImage imported_;  ///< that one
   std::optional<engine::CommandId> listing_, reading_, importing_;
 };
 
