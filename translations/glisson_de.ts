@@ -61,6 +61,13 @@
     </message>
 </context>
 <context>
+    <name>BeingMade</name>
+    <message>
+        <source>A new model is being made: look at it first.</source>
+        <translation>Ein neues Modell entsteht: Sehen Sie es zuerst an.</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
@@ -11408,6 +11415,10 @@
 </context>
 <context>
     <name>glisson::ui::RegistrationModel</name>
+    <message>
+        <source>A new registration is being computed: look at it first.</source>
+        <translation>Eine neue Registrierung wird berechnet: Sehen Sie sie zuerst an.</translation>
+    </message>
     <message>
         <source>Residual (not an accuracy)</source>
         <translation>Restabstand (keine Genauigkeit)</translation>

@@ -61,6 +61,13 @@
     </message>
 </context>
 <context>
+    <name>BeingMade</name>
+    <message>
+        <source>A new model is being made: look at it first.</source>
+        <translation>Un nouveau modèle est en préparation : regardez-le d&apos;abord.</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
@@ -11408,6 +11415,10 @@
 </context>
 <context>
     <name>glisson::ui::RegistrationModel</name>
+    <message>
+        <source>A new registration is being computed: look at it first.</source>
+        <translation>Un nouveau recalage est en cours de calcul : regardez-le d&apos;abord.</translation>
+    </message>
     <message>
         <source>Residual (not an accuracy)</source>
         <translation>Résidu (pas une précision)</translation>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each box of the guidance panel alone: its widgets say what its model's properties say.
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,6 +12,8 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <vector>
 
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/import_image.h"
@@ -42,6 +45,7 @@ class GuidanceBoxesTest : public QObject, GuidanceBench {
   void RegistrationSaysWhatItNeeds();
   void RegistrationShowsItsFiguresAndDoubts();
   void RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo();
+  void NothingIsDecidedAboutARegistrationThatIsBeingMade();
   void OtherPlacesAreOfferedAndTaken();
   void OtherPlacesAreSeenSideBySideAndTakenByAClick();
   void ADoubleClickTakesOnePlaceOnly();
@@ -133,6 +137,38 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   post(engine::SetSeeds{});
   QVERIFY(model.error_words.value().startsWith(QStringLiteral("Out of date")));
   QVERIFY(model.spots.value().empty());
+}
+
+void GuidanceBoxesTest::NothingIsDecidedAboutARegistrationThatIsBeingMade() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
+  operation_->rival_away = 0.014;
+  reach_registration(4);
+  auto* choice = box.findChild<QComboBox*>(QStringLiteral("rival"));
+  choice->setCurrentIndex(1);
+  emit choice->activated(1);
+  auto* place = box.findChild<QToolButton*>(QStringLiteral("take_rival_1"));
+  const std::vector<QAbstractButton*> decisions = {task(box, "accept_registration")->button(),
+                                                   task(box, "choose_rival")->button(), place};
+  const auto is_open = [](const QAbstractButton* one) { return one->isEnabled(); };
+  QVERIFY(std::ranges::all_of(decisions, is_open));
+  // What is said of the one that is shown would be said of one that nobody has seen.
+  operation_->doubts = {"refused", "cloud_noisy 9.1 6"};
+  operation_->hold = true;
+  task(box, "register")->trigger();
+  QVERIFY(std::ranges::none_of(decisions, is_open));
+  QVERIFY(words_on(box).contains(QStringLiteral("look at it first")));
+  for (QAbstractButton* one : decisions) one->click();
+  operation_->hold = false;
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(model.is_refused);
+  QVERIFY2(words_on(box).contains(QStringLiteral("scatter by 9.10 mm")), qPrintable(words_on(box)));
+  QVERIFY(task(box, "accept_registration")->button()->isEnabled() && place->isEnabled());
+  task(box, "accept_registration")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(!model.is_refused);
 }
 
 void GuidanceBoxesTest::OtherPlacesAreOfferedAndTaken() {

@@ -50,6 +50,7 @@ class ModelPanelTest : public QObject {
   void ALiverThatEndsWithTheImageStandsOut();
   void WhatCannotBeComparedIsNotShownAsPerfect();
   void TheCheckIsKeptUntilAnotherModel();
+  void AModelThatIsBeingMadeIsNotChecked();
   void LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved();
   void FlattestElementsAreShownAndPutAway();
   void SizeIsGivenByVerticesOrEdges();
@@ -220,6 +221,21 @@ void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {
   QVERIFY(settle());
   QTRY_VERIFY(!sheet().checked_box()->isChecked());
   QVERIFY(!engine::is_model_checked(state()));
+}
+
+void ModelPanelTest::AModelThatIsBeingMadeIsNotChecked() {
+  QVERIFY(sheet().checked_box()->isEnabled());
+  operation_->hold = true;
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(!sheet().checked_box()->isEnabled());
+  QVERIFY(sheet().checked_box()->toolTip().contains(QStringLiteral("look at it first")));
+  sheet().checked_box()->click();
+  operation_->hold = false;
+  QVERIFY(settle());
+  // Nobody has seen the new one.
+  QVERIFY(!engine::is_model_checked(state()));
+  QVERIFY(!sheet().checked_box()->isChecked());
+  QVERIFY(sheet().checked_box()->isEnabled());
 }
 
 void ModelPanelTest::LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved() {

@@ -43,6 +43,7 @@ class PointingTest : public QObject, private OperatedWindow {
   void SeedsAreClickedListedAndDeleted();
   void NotchIsPlacedOnTheSurface();
   void TheFirstClickAfterClearReplacesTheModelsOwn();
+  void NothingIsPlacedOnAModelThatIsBeingMade();
   void LandmarksAreDrawnWithTheModelOnly();
   void RegionIsClickedClosedDraggedAndTakenBack();
 };
@@ -160,6 +161,26 @@ void PointingTest::TheFirstClickAfterClearReplacesTheModelsOwn() {
     QVERIFY(settle());
     QTRY_COMPARE(window_->engine().state()[part::landmarks]->umbilical_notch.rows(), points);
   }
+}
+
+void PointingTest::NothingIsPlacedOnAModelThatIsBeingMade() {
+  reach_model();
+  window_->show_step(MainWindow::atlas);
+  QTRY_VERIFY(window_->views().surface_point(0.5, 0.5).has_value());
+  auto* panel = window_->findChild<ui::AtlasPanel*>();
+  auto* accept = panel->findChild<QPushButton*>(QStringLiteral("accept_landmarks"));
+  auto* place = panel->findChild<QPushButton*>(QStringLiteral("place_notch"));
+  QTest::mouseClick(place, Qt::LeftButton);
+  operation_->hold = true;
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(!accept->isEnabled() && !place->isEnabled());
+  // It would be stored once the new model is there, as if it had been placed on that.
+  QTest::mouseClick(&window_->views().volume(), Qt::LeftButton, {},
+                    window_->views().volume().rect().center());
+  operation_->hold = false;
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state()[part::landmarks] == nullptr);
+  QVERIFY(accept->isEnabled() && place->isEnabled());
 }
 
 void PointingTest::LandmarksAreDrawnWithTheModelOnly() {

@@ -15,6 +15,7 @@
 #include "glisson/ui/atlas/atlas_choice.h"
 #include "glisson/ui/atlas/proposal_review.h"
 #include "glisson/ui/atlas/shape_modes.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -88,6 +89,11 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
     model_.reset();  // what is shown is what the case has now, even where nothing has changed there
     show_case();
   });
+  connect(&this->engine(), &EngineBridge::tasks_changed, this, [this] {
+    if (waits_ == is_being_made(this->engine(), part::model)) return;
+    waits_ = !waits_;
+    show_landmarks();
+  });
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] {
     choose(Tool::none);
@@ -117,8 +123,8 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   row->addWidget(clear);
   box->addLayout(row);
   const auto has_points = [this, points] { return (landmarks_.*points).rows() > 0; };
-  connect(this, &AtlasPanel::landmarks_shown, this, [undo, clear, has_points] {
-    for (QPushButton* button : {undo, clear}) button->setEnabled(has_points());
+  connect(this, &AtlasPanel::landmarks_shown, this, [this, undo, clear, has_points] {
+    for (QPushButton* button : {undo, clear}) button->setEnabled(has_points() && !waits_);
   });
   connect(place, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
   connect(undo, &QPushButton::clicked, this, [this, points, tool] {
@@ -165,7 +171,7 @@ void AtlasPanel::choose(Tool tool) {
 }
 
 void AtlasPanel::place(double x, double y) {
-  if (!active_ || tool_ == Tool::none) return;
+  if (!active_ || tool_ == Tool::none || waits_) return;
   const auto p = views_.surface_point(x, y);
   if (!p) return;
   Points& list = tool_ == Tool::notch ? landmarks_.umbilical_notch : landmarks_.vena_cava;
@@ -197,8 +203,8 @@ void AtlasPanel::show_case() {
 
 void AtlasPanel::show_landmarks() {
   const auto first = engine::obstacle(engine().state(), engine::SetLandmarks{});
-  const bool ready = !first;
-  obstacle_->setText(obstacle_text(first));
+  const bool ready = !first && !waits_;
+  obstacle_->setText(first ? obstacle_text(first) : waits_ ? model_wait_text() : QString());
   obstacle_->setVisible(!ready);
   for (QPushButton* button : {place_notch_, place_cava_, accept_}) button->setEnabled(ready);
   margin_->setText(landmarks_.anterior_margin.rows() > 1

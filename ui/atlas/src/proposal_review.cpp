@@ -21,6 +21,7 @@
 #include "glisson/ui/atlas/structure_look.h"
 #include "glisson/ui/atlas/surface_drag.h"
 #include "glisson/ui/common/atlas_texts.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/common/texts.h"
@@ -278,7 +279,7 @@ void ProposalReview::show_chosen() {
 }
 
 bool ProposalReview::is_open() const {
-  return posted_.empty() && !propose_->is_running() &&
+  return posted_.empty() && !propose_->is_running() && !is_being_made(engine_, part::model) &&
          !engine::obstacle(engine_.state(), engine::ReviewProposal{});
 }
 

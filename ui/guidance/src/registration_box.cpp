@@ -59,6 +59,9 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   box->addWidget(make_placing_rows(engine, model, placing));
 
   couplings_.add(model.is_refused, [accept](bool is) { accept->setVisible(is); });
+  couplings_.add(model.is_being_made, [accept](bool is) {
+    accept->set_obstacle(is ? RegistrationModel::wait_words() : QString());
+  });
   couplings_.add(model.is_unchecked, [unchecked](bool is) { unchecked->setVisible(is); });
   couplings_.add(model.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   couplings_.add(model.doubts, [doubts](const QString& text) { show_warning(*doubts, text); });
@@ -139,10 +142,16 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
     choice->addItems(lines);
     rows->setVisible(!lines.isEmpty());
   });
-  couplings_.add(model.shown_rival, [choice, use](int rival) {
+  const auto show_obstacle = [use, &model] {
+    use->set_obstacle(model.is_being_made     ? RegistrationModel::wait_words()
+                      : model.shown_rival < 0 ? tr("Choose another place above to compare.")
+                                              : QString());
+  };
+  couplings_.add(model.shown_rival, [choice, show_obstacle](int rival) {
     choice->setCurrentIndex(rival + 1);
-    use->set_obstacle(rival < 0 ? tr("Choose another place above to compare.") : QString());
+    show_obstacle();
   });
+  couplings_.add(model.is_being_made, [show_obstacle](bool) { show_obstacle(); });
   return rows;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
+#include <algorithm>
+
 #include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/former_registration.h"
@@ -17,10 +19,22 @@ namespace glisson::ui {
 RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
     : QObject(parent), engine_(engine) {
   connect(&engine_, &EngineBridge::case_changed, this, &RegistrationModel::read_case);
+  connect(&engine_, &EngineBridge::tasks_changed, this, &RegistrationModel::read_tasks);
   couplings_.add(shown_look, [this](int) {
     if (source_) read_error(*source_);
   });
   read_case();
+}
+
+void RegistrationModel::read_tasks() {
+  const auto& tasks = engine_.tasks();
+  is_being_made = std::any_of(tasks.begin(), tasks.end(), [](const Task& task) {
+    return task.traits.lane == engine::Lane::work && task.traits.writes.has(part::registration);
+  });
+}
+
+QString RegistrationModel::wait_words() {
+  return tr("A new registration is being computed: look at it first.");
 }
 
 void RegistrationModel::read_case() {

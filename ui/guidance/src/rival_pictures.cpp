@@ -97,7 +97,7 @@ QImage silhouette(const BoundarySurface& surface, const Points& nodes, const QSi
 }  // namespace
 
 RivalPictures::RivalPictures(EngineBridge& engine, RegistrationModel& model, QWidget* parent)
-    : QWidget(parent), engine_(engine) {
+    : QWidget(parent), engine_(engine), model_(model) {
   setObjectName(QStringLiteral("rival_pictures"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -122,6 +122,7 @@ RivalPictures::RivalPictures(EngineBridge& engine, RegistrationModel& model, QWi
     setVisible(!words.isEmpty());
     show_case();
   });
+  couplings_.add(model.is_being_made, [this](bool) { show_case(); });
 }
 
 void RivalPictures::take(std::size_t rival) {
@@ -140,6 +141,7 @@ void RivalPictures::finish(const engine::Outcome& outcome) {
 
 QString RivalPictures::obstacle() const {
   if (taking_) return tr("A place is being taken.");
+  if (model_.is_being_made) return RegistrationModel::wait_words();
   if (engine_.snapshot()->tracking)
     return tr("The organ is followed from the place it has now: stop tracking first.");
   return obstacle_text(engine::obstacle(engine_.state(), engine::ChooseRival{}));

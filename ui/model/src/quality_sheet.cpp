@@ -15,6 +15,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/review.h"
 #include "glisson/patient/cut_organ.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -85,14 +86,27 @@ QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* pa
   layout->addWidget(review_);
   checked_ = new QCheckBox(tr("I have checked this model"), this);
   checked_->setObjectName(QStringLiteral("model_checked"));
-  checked_->setToolTip(tr("Kept with the case. Another model, or an edit of its vessels, asks again."));
   layout->addWidget(checked_);
   notes_ = make_explanation({}, this);
   layout->addWidget(notes_);
   connect(worst_, &QCheckBox::toggled, this, &QualitySheet::show_worst);
   connect(checked_, &QCheckBox::toggled, this, [this](bool on) { engine_.post(engine::CheckModel{{on}}); });
   connect(&engine_, &EngineBridge::case_changed, this, &QualitySheet::show_case);
+  connect(&engine_, &EngineBridge::tasks_changed, this, &QualitySheet::show_tasks);
   show_case();
+  show_tasks();
+}
+
+void QualitySheet::show_tasks() {
+  const bool waits = is_being_made(engine_, part::model);
+  checked_->setEnabled(!waits);
+  checked_->setToolTip(waits
+                           ? model_wait_text()
+                           : tr("Kept with the case. Another model, or an edit of its vessels, asks again."));
+  if (is_being_made(engine_, part::check)) return;
+  // What was said may not have come to the case.
+  const QSignalBlocker quiet(checked_);
+  checked_->setChecked(engine::is_model_checked(engine_.state()));
 }
 
 void QualitySheet::leave() { worst_->setChecked(false); }

@@ -51,6 +51,7 @@ class AtlasPanel : public Panel {
   std::shared_ptr<const model::BuiltModel> model_;
   std::set<engine::CommandId> storing_;
   bool active_ = false;
+  bool waits_ = false;  ///< for a new model: what is placed now would be taken for placed on that
   QLabel* margin_ = nullptr;
   QLabel* notch_ = nullptr;
   QLabel* cava_ = nullptr;

@@ -30,10 +30,11 @@ class RegistrationModel : public QObject {
  public:
   explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
-  QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
-  QProperty<QString> doubts;      ///< a line each
-  QProperty<bool> is_refused;     ///< and nobody has accepted it
+  QProperty<bool> is_unchecked;          ///< nobody has said that the model is right
+  QProperty<FigureRows> figures;         ///< of the registration; none: there is no registration
+  QProperty<QString> doubts;             ///< a line each
+  QProperty<bool> is_refused;            ///< and nobody has accepted it
+  QProperty<bool> is_being_made{false};  ///< another one: what is decided now would be decided about that
   QProperty<QString>
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
   QProperty<QStringList> rivals;       ///< other places where the organ may be, a line each
@@ -51,12 +52,15 @@ class RegistrationModel : public QObject {
 
   /// The former registration changes places with the present one.
   void undo();
+  /// Why nothing is decided about the registration while another one is being made.
+  static QString wait_words();
   /// The nodes of the one that is compared; null: none.
   const Points* rival_nodes() const;
 
  private:
   static QString termination_words(const Registration& registration);
   void read_case();
+  void read_tasks();
   void read_rivals(const Registration& registration);
   void read_spots(const Registration& registration);
   void read_error(const Registration& registration);

@@ -30,6 +30,7 @@ class RivalPictures : public QWidget {
   QString obstacle() const;
 
   EngineBridge& engine_;
+  RegistrationModel& model_;
   std::array<QToolButton*, kMost> buttons_{};
   std::shared_ptr<const Registration> shown_;
   std::shared_ptr<const void> frame_;

@@ -32,6 +32,8 @@ class QualitySheet : public QWidget {
 
  private:
   void show_case();
+  /// Whether the person can be asked now: not about a model that is being replaced.
+  void show_tasks();
   void show_worst();
   /// What is worth a look, a line each.
   QStringList findings() const;

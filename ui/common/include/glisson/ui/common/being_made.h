@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "glisson/ui/common/engine_bridge.h"
+
+namespace glisson::ui {
+
+/// Whether something at work, or waiting, makes this part of the case anew. A command that is posted now
+/// comes after it: what a person says of what is on the screen would be said of what nobody has seen.
+bool is_being_made(const EngineBridge& engine, engine::Part part);
+/// Why nothing is said of the model meanwhile.
+QString model_wait_text();
+
+}  // namespace glisson::ui
