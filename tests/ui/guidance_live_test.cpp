@@ -9,7 +9,9 @@
 
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
@@ -33,6 +35,7 @@ class GuidanceLiveTest : public QObject, protected GuidanceWindow {
   void TheTableTellsOfEachLesion();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
   void OverTheLastPictureKeysTakeNoRegistrationBack();
+  void InAPauseTheOverlayGoesWithItsRegistration();
 };
 
 void GuidanceLiveTest::EveryPlayingKnowsWhenItsFramesWereSent() {
@@ -196,6 +199,24 @@ void GuidanceLiveTest::OverTheLastPictureKeysTakeNoRegistrationBack() {
   undo->click();
   QTRY_VERIFY(window_->engine().state()[part::registration] != before);
   QTRY_VERIFY(do_keys_undo());  // the last picture has gone with its registration
+}
+
+void GuidanceLiveTest::InAPauseTheOverlayGoesWithItsRegistration() {
+  reach_registration(300);
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  QTest::keyClick(const_cast<ui::LivePicture*>(&live_view().picture()), Qt::Key_Space);
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Paused at frame")), 20000);
+  QVERIFY(rests());
+  const auto level = [this] { return panel().live().on_screen().overlay.level(); };
+  QCOMPARE(level(), Level::valid);
+  const Picture drawn = picture();
+  post(engine::SetSeeds{});  // the labels, and all that was made of them, are out of date now
+  QCOMPARE(window_->engine().snapshot()->stage(part::live), engine::StageState::stale);
+  QVERIFY(is_tracking());
+  QTRY_COMPARE_WITH_TIMEOUT(level(), Level::withdrawn, 20000);
+  QVERIFY(*picture().bytes != *drawn.bytes);
+  QVERIFY2(said().contains(QStringLiteral("Paused")), qPrintable(said()));
 }
 
 }  // namespace glisson

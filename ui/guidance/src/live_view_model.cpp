@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/live_view_model.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/check.h"
@@ -102,10 +103,19 @@ void LiveViewModel::read_case() {
   const bool tracking = playback_.is_tracking;
   // What is still being painted is not live, or of the case as it was, or of another one.
   const bool is_still = !tracking && !playback_.is_frozen;
-  if ((tracking && !was_tracking_) || is_still) ++generation_;
+  const bool begins = tracking && !was_tracking_;
+  if (begins || is_still) ++generation_;
+  if (begins) live_job_.reset();  // of a former playing
   if (!tracking && was_tracking_) tell_times();
   was_tracking_ = tracking;
   if (is_still) show_registered();
+  // Where no frame comes, as in a pause, nothing else would take the overlay away.
+  const bool was_stale = std::exchange(is_stale_, tracking && live_job_ && is_live_stale());
+  if (is_stale_ && !was_stale) show_live();
+}
+
+bool LiveViewModel::is_live_stale() const {
+  return engine_.snapshot()->stage(part::live) == engine::StageState::stale;
 }
 
 void LiveViewModel::put_away() {
@@ -212,8 +222,7 @@ void LiveViewModel::show_live() {
   job.frame = now[part::live]->frame.left;
   job.right = now[part::live]->frame.right;
   job.overlay = now[part::live]->overlay;
-  if (engine_.snapshot()->stage(part::live) == engine::StageState::stale)
-    job.overlay.validity = Validity::stale;
+  if (is_live_stale()) job.overlay.validity = Validity::stale;
   if (shows_refuted_ && job.overlay.validity == Validity::surface_apart)
     job.overlay.validity = Validity::proposed;
   job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
@@ -243,6 +252,7 @@ void LiveViewModel::show_present() {
   if (!playback_.is_tracking && !playback_.is_frozen) return show_registered();
   if (!live_job_) return;
   OverlayJob job = *live_job_;
+  if (is_stale_) job.overlay.validity = Validity::stale;
   job.style = style_;
   job.interest = interest_;
   job.taken.reset();

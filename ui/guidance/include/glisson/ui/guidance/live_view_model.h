@@ -94,6 +94,7 @@ class LiveViewModel : public QObject {
  private:
   void read_case();
   void show_live();
+  bool is_live_stale() const;
   void show_registered();
   /// Of the registered frame. @pre there is a registration.
   std::vector<LesionVerdict> lesions_at_start(const OverlayFrame& overlay);
@@ -135,6 +136,7 @@ class LiveViewModel : public QObject {
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
   bool was_tracking_ = false, shows_refuted_ = false, is_touched_ = false, shows_live_ = false;
+  bool is_stale_ = false;  ///< what is followed, since a picture of it has come
   std::optional<Proposed> proposed_;
   std::optional<OverlayJob> job_;       ///< the last one
   std::optional<OverlayJob> live_job_;  ///< the last one of a live picture
