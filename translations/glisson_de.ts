@@ -9895,6 +9895,57 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::LabelMeanings</name>
+    <message>
+        <source>%1 does not say what each label is. Say it here; what you leave out becomes background.</source>
+        <translation>%1 sagt nicht, was jedes Label ist. Sagen Sie es hier; was Sie auslassen, wird Hintergrund.</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Labels importieren</translation>
+    </message>
+    <message>
+        <source>Label in the file</source>
+        <translation>Label in der Datei</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation>Ist</translation>
+    </message>
+    <message>
+        <source>Say which one is the liver.</source>
+        <translation>Sagen Sie, welches die Leber ist.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>As Glisson numbers them</source>
+        <translation>Wie Glisson sie nummeriert</translation>
+    </message>
+    <message>
+        <source>For files that Glisson has written without names: 1 is the liver, 2 the portal vein, from 16 on lesions. Other programs number otherwise.</source>
+        <translation>Für Dateien, die Glisson ohne Namen geschrieben hat: 1 ist die Leber, 2 die Pfortader, ab 16 Läsionen. Andere Programme nummerieren anders.</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Not imported</source>
+        <translation>Nicht importiert</translation>
+    </message>
+    <message>
+        <source>Lesion</source>
+        <translation>Läsion</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LabelTable</name>
     <message>
         <source>Label</source>

@@ -9895,6 +9895,57 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::LabelMeanings</name>
+    <message>
+        <source>%1 does not say what each label is. Say it here; what you leave out becomes background.</source>
+        <translation>%1 ne dit pas ce qu&apos;est chaque étiquette. Dites-le ici ; ce que vous omettez devient le fond.</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Importer des étiquettes</translation>
+    </message>
+    <message>
+        <source>Label in the file</source>
+        <translation>Étiquette du fichier</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>Say which one is the liver.</source>
+        <translation>Dites laquelle est le foie.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>As Glisson numbers them</source>
+        <translation>Comme Glisson les numérote</translation>
+    </message>
+    <message>
+        <source>For files that Glisson has written without names: 1 is the liver, 2 the portal vein, from 16 on lesions. Other programs number otherwise.</source>
+        <translation>Pour les fichiers que Glisson a écrits sans noms : 1 est le foie, 2 la veine porte, à partir de 16 les lésions. D&apos;autres programmes numérotent autrement.</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Not imported</source>
+        <translation>Non importée</translation>
+    </message>
+    <message>
+        <source>Lesion</source>
+        <translation>Lésion</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LabelTable</name>
     <message>
         <source>Label</source>

@@ -13,13 +13,13 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
-#include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/bridge_list.h"
 #include "glisson/ui/segmentation/edit_box.h"
 #include "glisson/ui/segmentation/edit_texts.h"
+#include "glisson/ui/segmentation/label_import.h"
 #include "glisson/ui/segmentation/offer_box.h"
 #include "glisson/ui/segmentation/seed_box.h"
 
@@ -110,10 +110,7 @@ void SegmentationPanel::show_offer() {
     seeds_->let_go();
   }
   for (QPushButton* mode : {seeds_mode_, edit_mode_}) mode->setEnabled(!waits);
-  import_->setEnabled(!waits);
-  import_->setToolTip(
-      waits ? tr("A new segmentation waits: decide about it first, imported labels would take its place.")
-            : tr("Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI"));
+  show_import();
   show_editing(edit_mode_->isChecked());
 }
 
@@ -149,7 +146,9 @@ void SegmentationPanel::build_labels() {
   content()->addLayout(column);
   connect(opacity, &QSlider::valueChanged, this,
           [this](int value) { views_.set_label_opacity(value / 100.0); });
-  connect(import_, &QPushButton::clicked, this, &SegmentationPanel::import_labels);
+  importer_ = new LabelImport(engine(), this);
+  connect(importer_, &LabelImport::reading_changed, this, &SegmentationPanel::show_import);
+  connect(import_, &QPushButton::clicked, this, &SegmentationPanel::ask_for_labels);
   connect(approve_, &QPushButton::clicked, this, &SegmentationPanel::approve);
   connect(table_, &LabelTable::label_chosen, this, [this](Label label) {
     EditSettings next = session_->settings();
@@ -175,10 +174,20 @@ void SegmentationPanel::take_marks() {
   session_->set_settings(next);
 }
 
-void SegmentationPanel::import_labels() {
+void SegmentationPanel::ask_for_labels() {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Import labels"), {}, tr("Labels (*.nrrd *.dcm *.nii *.nii.gz *.mha *.mhd *.vti)"));
-  if (!path.isEmpty()) engine().post(engine::ImportLabels{path.toStdString(), {}});
+  if (!path.isEmpty()) import_labels(path.toStdString());
+}
+
+void SegmentationPanel::import_labels(const std::filesystem::path& path) { importer_->start(path); }
+
+void SegmentationPanel::show_import() {
+  const bool waits = offer_->has_offer();
+  import_->setEnabled(!waits && !importer_->is_reading());
+  import_->setToolTip(
+      waits ? tr("A new segmentation waits: decide about it first, imported labels would take its place.")
+            : tr("Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI"));
 }
 
 void SegmentationPanel::approve() { session_->set_review(session_->settings().label, ReviewState::approved); }

@@ -66,7 +66,8 @@ std::optional<Opening> opening_of(const fs::path& given) {
     return image;
   }
   if (name == "case.json") return a_case(path.parent_path());
-  if (ends_with_any(name, {".seg.nrrd", ".dcm"})) return plain(engine::ImportLabels{path, {}});
+  if (ends_with_any(name, {".seg.nrrd", ".dcm"}))
+    return Opening{Way::import_labels, path, engine::ImportLabels{path, {}}};
   if (ends_with_any(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".tar.gz", ".tgz",
                            ".tar", ".zip"}) ||
       name == "dicomdir")

@@ -176,6 +176,9 @@ void MainWindow::build_menu() {
 
 void MainWindow::open(const std::filesystem::path& path) {
   if (const auto opening = opening_of(path)) {
+    const auto losses = [this, loses = opening->command.traits().writes.has(part::offer)] {
+      return QStringList{loses ? waiting_words() : QString()};
+    };
     switch (opening->way) {
       case Opening::Way::replace_case:
         return replace_case(opening->path);
@@ -183,11 +186,12 @@ void MainWindow::open(const std::filesystem::path& path) {
         return import_image(opening->path);
       case Opening::Way::open_video:
         return qobject_cast<StereoPanel*>(panels_[stereo])->open_source({opening->path, {}});
+      case Opening::Way::import_labels:
+        return ask_first(opening->command.traits(), losses, [this, path = opening->path] {
+          qobject_cast<SegmentationPanel*>(panels_[segmentation])->import_labels(path);
+        });
       case Opening::Way::plain:
-        return post_asking(opening->command,
-                           [this, loses = opening->command.traits().writes.has(part::offer)] {
-                             return QStringList{loses ? waiting_words() : QString()};
-                           });
+        return post_asking(opening->command, losses);
     }
   }
   show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
@@ -209,20 +213,22 @@ void MainWindow::replace_case(const std::filesystem::path& path) {
 }
 
 void MainWindow::post_asking(const engine::Command& command, const std::function<QStringList()>& losses) {
+  ask_first(command.traits(), losses, [this, command] { engine_.post(command); });
+}
+
+void MainWindow::ask_first(const engine::CommandTraits& traits, const std::function<QStringList()>& losses,
+                           const std::function<void()>& then) {
   // What is lost is known when the work has ended.
-  running_->before(RunningWork::opening(command.traits(), [this, command, losses] {
+  running_->before(RunningWork::opening(traits, [this, losses, then] {
     QStringList told = losses();
     told.removeAll(QString());
-    if (told.isEmpty()) {
-      engine_.post(command);
-      return;
-    }
+    if (told.isEmpty()) return then();
     auto* box = new QMessageBox(QMessageBox::Question, tr("Open"), told.join(QLatin1Char(' ')),
                                 QMessageBox::Discard | QMessageBox::Cancel, this);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    connect(box, &QMessageBox::finished, this, [this, command](int answer) {
-      if (answer == QMessageBox::Discard) engine_.post(command);
+    connect(box, &QMessageBox::finished, this, [then](int answer) {
+      if (answer == QMessageBox::Discard) then();
     });
     box->open();  // does not stop the window
   }));

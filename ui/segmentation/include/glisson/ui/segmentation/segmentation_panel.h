@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <set>
 
 #include "glisson/ui/common/panel.h"
@@ -14,6 +15,7 @@ class QPushButton;
 namespace glisson::ui {
 
 class EditBox;
+class LabelImport;
 class OfferBox;
 class SeedBox;
 
@@ -30,6 +32,8 @@ class SegmentationPanel : public Panel {
   void choose_structure(std::optional<Label> structure);
   /// Undo and redo, for a menu.
   QList<QAction*> history_actions() const;
+  /// Labels that were made elsewhere; what they mean is asked where the file does not say.
+  void import_labels(const std::filesystem::path& path);
   /// Seeds and growth, or the tools of the hand.
   void show_editing(bool on);
 
@@ -46,7 +50,8 @@ class SegmentationPanel : public Panel {
   void toggle(std::set<Label>& labels, Label label);
   void take_marks();
   void approve();
-  void import_labels();
+  void ask_for_labels();
+  void show_import();
 
   ViewState& views_;
   EditSession* session_;
@@ -59,6 +64,7 @@ class SegmentationPanel : public Panel {
   QLabel* figures_ = nullptr;
   QPushButton* approve_ = nullptr;
   QPushButton* import_ = nullptr;
+  LabelImport* importer_ = nullptr;
   std::set<Label> hidden_, locked_;
   std::uint64_t marks_of_ = 0;  ///< the number of the case whose labels they are
   std::shared_ptr<const segmentation::LabelStatistics> shown_statistics_;

@@ -12,10 +12,11 @@ namespace glisson::ui {
 struct Opening {
   /// Whether the window has a question of its own before it does it.
   enum class Way {
-    plain,         ///< the command is posted
-    replace_case,  ///< what is not saved would be lost
-    import_image,  ///< which series, and whose it is
-    open_video     ///< its first frame follows
+    plain,          ///< the command is posted
+    replace_case,   ///< what is not saved would be lost
+    import_image,   ///< which series, and whose it is
+    import_labels,  ///< what they mean, where the file does not say
+    open_video      ///< its first frame follows
   };
   Way way = Way::plain;
   std::filesystem::path path;  ///< that the command is for: a case's folder, not its case.json

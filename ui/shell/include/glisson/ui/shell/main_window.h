@@ -64,6 +64,9 @@ class MainWindow : public QMainWindow {
   void replace_case(const std::filesystem::path& path);
   /// Asks first where something would be lost. @param losses says it in a sentence each, or empty.
   void post_asking(const engine::Command& command, const std::function<QStringList()>& losses);
+  /// The same of anything that a command with these traits will do.
+  void ask_first(const engine::CommandTraits& traits, const std::function<QStringList()>& losses,
+                 const std::function<void()>& then);
   /// That a new segmentation waits and would be lost; empty: none.
   QString waiting_words() const;
   void open_dicom();

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/label_import.h"
+
+#include <QWidget>
+#include <exception>
+
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/volume/dicom_segmentation.h"
+
+namespace glisson::ui {
+
+LabelImport::LabelImport(EngineBridge& engine, QWidget* owner)
+    : QObject(owner),
+      engine_(engine),
+      owner_(owner),
+      looking_(this, look, [this](const auto& path, const auto& found) { accept(path, *found); }) {}
+
+void LabelImport::start(const std::filesystem::path& path) {
+  reading_ = true;
+  emit reading_changed();
+  looking_.give_instead(path);
+}
+
+Cancellable<FoundLabels> LabelImport::look(const std::filesystem::path& path, const RunContext&) {
+  try {
+    if (!has_dicom_mark(path)) return found_labels(read_labels(path), false);
+    const DicomLabels labels = read_dicom_labels(path);
+    return found_labels(labels.file, labels.own);
+  } catch (const std::exception&) {
+    return FoundLabels();  // the command says what is wrong with it
+  }
+}
+
+void LabelImport::accept(const std::filesystem::path& path, const FoundLabels& found) {
+  reading_ = false;
+  emit reading_changed();
+  if (found.must_be_asked())
+    ask(path, found);
+  else
+    post(path, {});
+}
+
+void LabelImport::ask(const std::filesystem::path& path, const FoundLabels& found) {
+  auto* dialog = new LabelMeanings(found, QString::fromStdString(path.filename().string()), owner_->window());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, path] { post(path, dialog->codes()); });
+  dialog->open();  // does not stop the window
+}
+
+void LabelImport::post(const std::filesystem::path& path, const LabelCodes& codes) {
+  engine_.post(engine::ImportLabels{path, codes});
+}
+
+}  // namespace glisson::ui
