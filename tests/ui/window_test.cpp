@@ -156,8 +156,8 @@ void WindowTest::ErrorsAreShownAndLeaveTheCase() {
 void WindowTest::WhatIsOddAboutAFileIsTold() {
   open_ct();
   QVERIFY(window_->findChild<QMessageBox*>() == nullptr);
-  window_->open("labels.seg.nrrd");
-  QVERIFY(settle());
+  window_->open("labels.seg.nrrd");  // is looked into first
+  QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 20000);
   const auto* told = window_->findChild<QMessageBox*>();
   QVERIFY(told != nullptr && told->isVisible());
   QVERIFY2(told->text().contains(QStringLiteral("frame of reference")), qPrintable(told->text()));
