@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDirIterator>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QTest>
+
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -107,6 +110,18 @@ class Program {
     if (process->processId() > 0) ::kill(static_cast<pid_t>(process->processId()), SIGINT);
     return end_of(*process);
   }
+  /// As a terminal does it: the program and all that it has started get the signal, as soon as a helper of
+  /// it runs.
+  Ran interrupted_as_a_group(const QStringList& arguments, int signal) const {
+    const auto process = prepared(arguments, QStringLiteral("C.UTF-8"));
+    process->setChildProcessModifier([] { ::setpgid(0, 0); });
+    process->start();
+    if (!process->waitForStarted()) return {};
+    while (process->state() == QProcess::Running && !has_helper(process->processId()))
+      process->waitForFinished(1);
+    if (process->processId() > 0) ::kill(-static_cast<pid_t>(process->processId()), signal);
+    return end_of(*process);
+  }
   /// The person presses Ctrl-C when something has happened.
   Ran interrupted_when(const QStringList& arguments, const std::function<bool()>& happened,
                        int signal = SIGINT) const {
@@ -136,7 +151,7 @@ class Program {
   }
 
   /// In the folder, without a display.
-  std::unique_ptr<QProcess> start(const QStringList& arguments, const QString& locale) const {
+  std::unique_ptr<QProcess> prepared(const QStringList& arguments, const QString& locale) const {
     auto process = std::make_unique<QProcess>();
     process->setWorkingDirectory(QString::fromStdString(folder_->path().string()));
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -149,11 +164,36 @@ class Program {
     environment.insert("XDG_STATE_HOME", QString::fromStdString(state_->path().string()));
     if (std::filesystem::exists(at("locales"))) environment.insert("LOCPATH", text_of("locales"));
     process->setProcessEnvironment(environment);
-    process->start(GLISSON_EXECUTABLE, arguments);
+    process->setProgram(GLISSON_EXECUTABLE);
+    process->setArguments(arguments);
+    return process;
+  }
+
+  std::unique_ptr<QProcess> start(const QStringList& arguments, const QString& locale) const {
+    auto process = prepared(arguments, locale);
+    process->start();
     return process;
   }
 
  private:
+  /// Whether one of its threads has started another program.
+  static bool has_helper(qint64 process) {
+    const auto program_of = [](const QString& number) {
+      std::error_code failure;
+      return std::filesystem::read_symlink(QStringLiteral("/proc/%1/exe").arg(number).toStdString(), failure);
+    };
+    const auto own = program_of(QString::number(process));
+    QDirIterator threads(QStringLiteral("/proc/%1/task").arg(process), QDir::Dirs | QDir::NoDotAndDotDot);
+    while (threads.hasNext()) {
+      QFile children(threads.next() + QStringLiteral("/children"));
+      if (!children.open(QIODevice::ReadOnly)) continue;
+      for (const QByteArray& child : children.readAll().split(' '))
+        if (const auto program = program_of(QString::fromLatin1(child.trimmed()));
+            !program.empty() && program != own)
+          return true;
+    }
+    return false;
+  }
   static Ran end_of(QProcess& process) {
     if (process.state() != QProcess::NotRunning && !process.waitForFinished(500000)) return {};
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,

@@ -48,6 +48,7 @@ class StereoCommandsTest : public QObject, private test::Program {
   void CalibrateSaysWhichBoardItSees();
   void CalibrateConvertsPlainText();
   void ACancelledCalibrationWritesNothing();
+  void GoodPicturesAreNotCalledDamagedWhereATerminalInterrupts();
   void CheckFindsNothingInASoundSequence();
   void CheckNamesTheFramesWithFaults();
   void CheckHoldsPairsAgainstTheCalibration();
@@ -247,6 +248,16 @@ void StereoCommandsTest::ACancelledCalibrationWritesNothing() {
 }
 
 void StereoCommandsTest::CheckFindsNothingInASoundSequence() {
+/// The program that reads the pictures gets the signal, too.
+void StereoCommandsTest::GoodPicturesAreNotCalledDamagedWhereATerminalInterrupts() {
+  put_boards(10);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Ran ran = interrupted_as_a_group(calibrate({}), signal);
+    QVERIFY2(ran.code == 130, qPrintable(QString::number(ran.code) + ran.error + ran.out));
+    QVERIFY2(ran.error.contains("cancelled"), qPrintable(ran.error));
+  }
+}
+
   put_frames(12, {});
   const Ran ran = run({"check", "--video", "frames", "--json", "f.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error + ran.out));
