@@ -3139,6 +3139,38 @@
         <translation>hat ihren Hauptpunkt (%1, %2) außerhalb des Bildes von %3x%4</translation>
     </message>
     <message>
+        <source>is transposed: it has cx and cy in its last row</source>
+        <translation>ist transponiert: cx und cy stehen in der letzten Zeile</translation>
+    </message>
+    <message>
+        <source>has a skew of %1 (row 1, column 2), which moves pixels by up to %2 px and is not computed with</source>
+        <translation>hat eine Scherung von %1 (Zeile 1, Spalte 2), die Pixel um bis zu %2 px verschiebt und mit der nicht gerechnet wird</translation>
+    </message>
+    <message>
+        <source>moves pixels by up to %1 px by its tangential terms p1 p2, and by %2 px by its radial ones, which no lens does</source>
+        <translation>verschiebt Pixel durch die tangentialen Glieder p1 p2 um bis zu %1 px und durch die radialen um %2 px, was keine Linse tut</translation>
+    </message>
+    <message>
+        <source>Write rows as columns, in R too; MATLAB counts pixels from 1: take 1 off cx and cy</source>
+        <translation>Zeilen als Spalten schreiben, auch in R; MATLAB zählt Pixel ab 1: von cx und cy 1 abziehen</translation>
+    </message>
+    <message>
+        <source>Calibrate without skew, which no chip has (fx 0 cx; 0 fy cy; 0 0 1)</source>
+        <translation>Ohne Scherung kalibrieren, die kein Chip hat (fx 0 cx; 0 fy cy; 0 0 1)</translation>
+    </message>
+    <message>
+        <source>Write k1 k2 p1 p2 k3 in this order (MATLAB has k1 k2 k3 apart), or calibrate again</source>
+        <translation>k1 k2 p1 p2 k3 in dieser Reihenfolge schreiben (MATLAB führt k1 k2 k3 für sich) oder neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>is a case already</source>
+        <translation>ist schon ein Fall</translation>
+    </message>
+    <message>
+        <source>Choose another one for another patient; for another image of the same patient give --replace: all else stays, marked out of date</source>
+        <translation>Für einen anderen Patienten einen anderen wählen; für ein anderes Bild desselben Patienten --replace angeben: Alles andere bleibt, als veraltet markiert</translation>
+    </message>
+    <message>
         <source>leaves nothing of the picture</source>
         <translation>lässt nichts vom Bild übrig</translation>
     </message>
@@ -6364,6 +6396,14 @@
         <translation>Die Saatpunkte in der Leber sind ein Vorschlag: Sehen Sie Schicht für Schicht an, was daraus segmentiert wird.</translation>
     </message>
     <message>
+        <source>By this calibration %1 % of the left picture, from its edges on, has no ray: nothing is drawn there, and points there are wrong. Calibrate with boards in the corners, too, and without k3.</source>
+        <translation>Nach dieser Kalibrierung haben %1 % des linken Bildes, von seinen Rändern her, keinen Strahl: Dort wird nichts gezeichnet, und Punkte dort sind falsch. Auch mit Tafeln in den Ecken und ohne k3 kalibrieren.</translation>
+    </message>
+    <message>
+        <source>By this calibration %1 % of the right picture, from its edges on, has no ray: points there are wrong. Calibrate with boards in the corners, too, and without k3.</source>
+        <translation>Nach dieser Kalibrierung haben %1 % des rechten Bildes, von seinen Rändern her, keinen Strahl: Punkte dort sind falsch. Auch mit Tafeln in den Ecken und ohne k3 kalibrieren.</translation>
+    </message>
+    <message>
         <source>The DICOMDIR names files that are not there: slices may be missing. Copy the whole medium. (%*)</source>
         <translation>Die DICOMDIR nennt Dateien, die nicht da sind: Schichten können fehlen. Kopieren Sie den ganzen Datenträger. (%*)</translation>
     </message>
@@ -8457,12 +8497,36 @@
         <translation>die rechte Ansicht steht still</translation>
     </message>
     <message>
+        <source>the film is interlaced: the even and the odd rows of a picture show two moments, so that points on what moves are off by its motion in half of a frame&apos;s time. Set the device to progressive, or give --video a description of the source (.json) with &quot;deinterlace&quot;: true</source>
+        <translation>der Film ist im Zeilensprung aufgenommen: Gerade und ungerade Zeilen eines Bildes zeigen zwei Augenblicke, so dass Punkte auf dem, was sich bewegt, um dessen Bewegung in der halben Zeit eines Bildes falsch liegen. Das Gerät auf Vollbilder (progressiv) stellen, oder --video eine Beschreibung der Quelle (.json) mit &quot;deinterlace&quot;: true geben</translation>
+    </message>
+    <message>
+        <source>The case is there already, and this is another image of its patient: it takes the former one&apos;s place; all else stays, marked out of date.</source>
+        <translation>Den Fall gibt es schon, und dies ist ein anderes Bild seines Patienten: Es tritt an die Stelle des bisherigen; alles andere bleibt, als veraltet markiert.</translation>
+    </message>
+    <message>
+        <source>--%1 %2: %3 is the same file. Choose another name.</source>
+        <translation>--%1 %2: %3 ist dieselbe Datei. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: is the video that is drawn into. Choose another name.</source>
+        <translation>%1: ist das Video, in das gezeichnet wird. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>--%1: is given twice. Leave one of them out.</source>
+        <translation>--%1: ist zweimal angegeben. Lassen Sie eines davon weg.</translation>
+    </message>
+    <message>
+        <source>--%1: has no value. See &apos;glisson %2 --help&apos;.</source>
+        <translation>--%1: hat keinen Wert. Siehe &apos;glisson %2 --help&apos;.</translation>
+    </message>
+    <message>
         <source>two frames have changed places</source>
         <translation>zwei Bilder haben die Plätze getauscht</translation>
     </message>
     <message>
-        <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, a calibration of another scope.</source>
-        <translation>Sieht ein Stereovideo auf Fehler durch: schwarze, stehende, doppelte, vertauschte oder umgestellte Bilder, eine ausgefallene Kamera, die Kalibrierung eines anderen Laparoskops.</translation>
+        <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, interlaced rows, a calibration of another scope.</source>
+        <translation>Sieht ein Stereovideo auf Fehler durch: schwarze, stehende, doppelte, vertauschte oder umgestellte Bilder, eine ausgefallene Kamera, Zeilensprung, die Kalibrierung eines anderen Laparoskops.</translation>
     </message>
     <message>
         <source>Stereo video, folder of picture pairs, or description of a source (.json).</source>

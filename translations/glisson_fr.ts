@@ -3139,6 +3139,38 @@
         <translation>a son point principal (%1, %2) hors de l’image de %3x%4</translation>
     </message>
     <message>
+        <source>is transposed: it has cx and cy in its last row</source>
+        <translation>est transposée : cx et cy se trouvent dans sa dernière ligne</translation>
+    </message>
+    <message>
+        <source>has a skew of %1 (row 1, column 2), which moves pixels by up to %2 px and is not computed with</source>
+        <translation>a un cisaillement de %1 (ligne 1, colonne 2), qui déplace des pixels de jusqu&apos;à %2 px et dont le calcul ne tient pas compte</translation>
+    </message>
+    <message>
+        <source>moves pixels by up to %1 px by its tangential terms p1 p2, and by %2 px by its radial ones, which no lens does</source>
+        <translation>déplace des pixels de jusqu&apos;à %1 px par ses termes tangentiels p1 p2 et de %2 px par ses termes radiaux, ce que ne fait aucune lentille</translation>
+    </message>
+    <message>
+        <source>Write rows as columns, in R too; MATLAB counts pixels from 1: take 1 off cx and cy</source>
+        <translation>Écrivez les lignes en colonnes, dans R aussi ; MATLAB compte les pixels à partir de 1 : ôtez 1 à cx et cy</translation>
+    </message>
+    <message>
+        <source>Calibrate without skew, which no chip has (fx 0 cx; 0 fy cy; 0 0 1)</source>
+        <translation>Étalonnez sans cisaillement, qu&apos;aucun capteur n&apos;a (fx 0 cx; 0 fy cy; 0 0 1)</translation>
+    </message>
+    <message>
+        <source>Write k1 k2 p1 p2 k3 in this order (MATLAB has k1 k2 k3 apart), or calibrate again</source>
+        <translation>Écrivez k1 k2 p1 p2 k3 dans cet ordre (MATLAB tient k1 k2 k3 à part) ou étalonnez à nouveau</translation>
+    </message>
+    <message>
+        <source>is a case already</source>
+        <translation>est déjà un cas</translation>
+    </message>
+    <message>
+        <source>Choose another one for another patient; for another image of the same patient give --replace: all else stays, marked out of date</source>
+        <translation>Pour un autre patient, choisissez-en un autre ; pour une autre image du même patient, donnez --replace : tout le reste demeure, marqué comme périmé</translation>
+    </message>
+    <message>
         <source>leaves nothing of the picture</source>
         <translation>ne laisse rien de l’image</translation>
     </message>
@@ -6364,6 +6396,14 @@
         <translation>Les germes dans le foie sont une proposition : regardez coupe par coupe ce qui en est segmenté.</translation>
     </message>
     <message>
+        <source>By this calibration %1 % of the left picture, from its edges on, has no ray: nothing is drawn there, and points there are wrong. Calibrate with boards in the corners, too, and without k3.</source>
+        <translation>D&apos;après cet étalonnage, %1 % de l&apos;image gauche, à partir de ses bords, n&apos;ont pas de rayon : rien n&apos;y est dessiné, et les points y sont faux. Étalonnez aussi avec des mires dans les coins, et sans k3.</translation>
+    </message>
+    <message>
+        <source>By this calibration %1 % of the right picture, from its edges on, has no ray: points there are wrong. Calibrate with boards in the corners, too, and without k3.</source>
+        <translation>D&apos;après cet étalonnage, %1 % de l&apos;image droite, à partir de ses bords, n&apos;ont pas de rayon : les points y sont faux. Étalonnez aussi avec des mires dans les coins, et sans k3.</translation>
+    </message>
+    <message>
         <source>The DICOMDIR names files that are not there: slices may be missing. Copy the whole medium. (%*)</source>
         <translation>Le DICOMDIR nomme des fichiers absents : des coupes peuvent manquer. Copiez tout le support. (%*)</translation>
     </message>
@@ -8457,12 +8497,36 @@
         <translation>la vue droite est figée</translation>
     </message>
     <message>
+        <source>the film is interlaced: the even and the odd rows of a picture show two moments, so that points on what moves are off by its motion in half of a frame&apos;s time. Set the device to progressive, or give --video a description of the source (.json) with &quot;deinterlace&quot;: true</source>
+        <translation>le film est entrelacé : les lignes paires et impaires d&apos;une image montrent deux instants, de sorte que les points sur ce qui bouge sont décalés de son mouvement pendant la moitié du temps d&apos;une image. Réglez l&apos;appareil sur progressif, ou donnez à --video une description de la source (.json) avec &quot;deinterlace&quot;: true</translation>
+    </message>
+    <message>
+        <source>The case is there already, and this is another image of its patient: it takes the former one&apos;s place; all else stays, marked out of date.</source>
+        <translation>Le cas existe déjà, et c&apos;est une autre image de son patient : elle prend la place de l&apos;ancienne ; tout le reste demeure, marqué comme périmé.</translation>
+    </message>
+    <message>
+        <source>--%1 %2: %3 is the same file. Choose another name.</source>
+        <translation>--%1 %2 : %3 est le même fichier. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: is the video that is drawn into. Choose another name.</source>
+        <translation>%1 : c&apos;est la vidéo dans laquelle on dessine. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>--%1: is given twice. Leave one of them out.</source>
+        <translation>--%1 : est donné deux fois. Supprimez l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>--%1: has no value. See &apos;glisson %2 --help&apos;.</source>
+        <translation>--%1 : n&apos;a pas de valeur. Voir &apos;glisson %2 --help&apos;.</translation>
+    </message>
+    <message>
         <source>two frames have changed places</source>
         <translation>deux images ont échangé leur place</translation>
     </message>
     <message>
-        <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, a calibration of another scope.</source>
-        <translation>Cherche les défauts d&apos;une vidéo stéréo : images noires, figées, doublées, échangées ou déplacées, une caméra perdue, l&apos;étalonnage d&apos;un autre laparoscope.</translation>
+        <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, interlaced rows, a calibration of another scope.</source>
+        <translation>Cherche les défauts d&apos;une vidéo stéréo : images noires, figées, doublées, échangées ou déplacées, une caméra perdue, des lignes entrelacées, l&apos;étalonnage d&apos;un autre laparoscope.</translation>
     </message>
     <message>
         <source>Stereo video, folder of picture pairs, or description of a source (.json).</source>

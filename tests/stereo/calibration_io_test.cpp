@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <QTest>
+#include <cmath>
 #include <fstream>
 
 #include "complaint.h"
@@ -132,6 +133,15 @@ class CalibrationIoTest : public QObject {
                  "rows: 1\n   cols: 8\n   dt: d\n   data: [ -0.1, 0.01, 0., 0., 0., 0.1, 0., 0. ]"),
         "D2");
     row("M not a camera", replaced(good, "[ 900., 0., 470.", "[ -900., 0., 470."), "M1");
+    // As MATLAB and others write them.
+    row("skew", replaced(good, "[ 900., 0., 490.", "[ 900., 2.5, 490."), "M2");
+    row("negative skew", replaced(good, "[ 900., 0., 470.", "[ 900., -2.5, 470."), "M1");
+    row("transposed",
+        replaced(good, "[ 900., 0., 470., 0., 900., 268., 0., 0., 1. ]",
+                 "[ 900., 0., 0., 0., 900., 0., 470., 268., 1. ]"),
+        "M1");
+    row("k1 k2 k3 p1 p2",
+        replaced(good, "[ -0.1, 0.01, 0., 0., 0. ]", "[ -0.27, 0.31, -0.19, 0.0012, -0.0008 ]"), "D2");
     row("M of text", replaced(good, "M1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n", "M1:\n"),
         "M1");
     row("a matrix of terabytes", replaced(good, "rows: 4\n   cols: 1", "rows: 400000000\n   cols: 1000"),
@@ -142,6 +152,53 @@ class CalibrationIoTest : public QObject {
     QFETCH(QByteArray, content);
     QFETCH(QByteArray, field);
     QCOMPARE(QByteArray::fromStdString(refusal(content.toStdString())), field);
+  }
+
+  /// One that moves no pixel is nobody's: followed points would have none and drawn ones would.
+  void ASkewThatMovesNothingIsLeftOut() {
+    const std::string good = yaml("mm", "-4.5, 0., 0.");
+    const StereoRig rig = read_calibration(file(replaced(good, "[ 900., 0., 470.", "[ 900., 0.2, 470.")));
+    QCOMPARE(rig.left.matrix(0, 1), 0.0);
+    QCOMPARE(rig.left.matrix(0, 2), 470.0);
+    const TemporaryFolder folder;
+    StereoRig askew = example();
+    askew.right.matrix(0, 1) = 0.2;
+    write_text_calibration(folder.path(), askew);
+    QCOMPARE(read_text_calibration(folder.path(), 960, 540).right.matrix(0, 1), 0.0);
+    askew.right.matrix(0, 1) = 2.0;
+    write_text_calibration(folder.path(), askew);
+    QVERIFY_THROWS_EXCEPTION(InputError, read_text_calibration(folder.path(), 960, 540));
+  }
+
+  /// What real lenses have beside their radial terms is no mistake: two of a stereo laparoscope of 1920 x
+  /// 1080.
+  void TangentialTermsOfRealLensesAreRead() {
+    StereoRig rig = example();
+    rig.left.distortion << -0.269, 0.156, 0.0032, -0.0016, 0.0;
+    rig.right.distortion << -0.253, 0.126, -0.0061, 0.0003, 0.0;
+    const TemporaryFolder folder;
+    write_text_calibration(folder.path(), rig);
+    QVERIFY((read_text_calibration(folder.path(), 960, 540).right.distortion - rig.right.distortion).norm() <
+            1e-12);
+    // The same terms and a k3, in MATLAB's order.
+    rig.right.distortion << -0.253, 0.126, -0.11, -0.0061, 0.0003;
+    write_text_calibration(folder.path(), rig);
+    QVERIFY_THROWS_EXCEPTION(InputError, read_text_calibration(folder.path(), 960, 540));
+  }
+
+  /// x (1 + k1 x^2) is nowhere larger than 2 / (3 sqrt(3 |k1|)): with k1 = -2.4 pixels more than 0.2485 focal
+  /// lengths from the axis have no ray, and with k1 = -0.1 all of this picture have one.
+  void WhereTheLensTurnsBackWithinThePictureIsTold() {
+    StereoRig rig = example();
+    QVERIFY(calibration_doubts(rig).empty());
+    rig.left.distortion << -0.1, 0.0, 0.0, 0.0, 0.0;
+    rig.right.distortion << -2.4, 0.0, 0.0, 0.0, 0.0;
+    const std::vector<std::string> doubts = calibration_doubts(rig);
+    QCOMPARE(doubts.size(), std::size_t{1});
+    QVERIFY2(doubts[0].starts_with("calibration.right_lens_turns_back "), doubts[0].c_str());
+    const double without = 0.01 * std::stod(doubts[0].substr(doubts[0].find(' ')));
+    const double least = 1.0 - M_PI * std::pow(0.2485 * 905.0, 2) / (960.0 * 540.0);
+    QVERIFY2(without > least - 0.01 && without < least + 0.03, doubts[0].c_str());
   }
 
   void OpenCvsJsonIsReadAndItsXmlIsNot() {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "camera_cv.h"
@@ -67,6 +69,7 @@ class Reader {
     result.height = height;
     result.matrix = square(matrix_name);
     check_camera(file_, matrix_name, result);
+    result = without_skew(file_, matrix_name, result);
     const std::vector<double> d = vector(distortion_name, 4, 14);
     for (std::size_t i = 0; i < d.size(); ++i) {
       if (i < 5)
@@ -75,6 +78,7 @@ class Reader {
         throw InputError(file_, distortion_name, "uses more than the five terms k1 k2 p1 p2 k3",
                          "Calibrate without the rational, thin-prism and tilted models");
     }
+    check_distortion(file_, distortion_name, result);
     return result;
   }
 
@@ -128,6 +132,17 @@ StereoRig read_calibration_for(const std::filesystem::path& path, int width, int
       is_text_calibration(path) ? read_text_calibration(path, width, height) : read_calibration(path);
   const bool of_whole = cut && rig.left.width == width && rig.left.height == height;
   return of_whole ? cropped(rig, cut->crop) : rig;
+}
+
+std::vector<std::string> calibration_doubts(const StereoRig& rig) {
+  constexpr double kShare = 0.01;  // less is in the very corners, where a scope's circle leaves no light
+  std::vector<std::string> doubts;
+  for (const auto& [code, camera] :
+       {std::pair<const char*, const Camera*>{"left", &rig.left}, {"right", &rig.right}})
+    if (const double share = share_without_rays(*camera); share > kShare)
+      doubts.push_back(std::string("calibration.") + code + "_lens_turns_back " +
+                       std::to_string(std::lround(100.0 * share)));
+  return doubts;
 }
 
 }  // namespace glisson::stereo

@@ -99,8 +99,10 @@ Camera camera_of(const fs::path& intrinsics, const fs::path& distortion, int wid
     throw InputError(distortion.string(), "", "holds " + std::to_string(d.size()) + " numbers, not 4 or 5",
                      kShape);
   for (int i = 0; i < 9; ++i) camera.matrix(i / 3, i % 3) = m[static_cast<std::size_t>(i)];
-  for (std::size_t i = 0; i < d.size(); ++i) camera.distortion[static_cast<Eigen::Index>(i)] = d[i];
   check_camera(intrinsics.string(), "", camera);
+  camera = without_skew(intrinsics.string(), "", camera);
+  for (std::size_t i = 0; i < d.size(); ++i) camera.distortion[static_cast<Eigen::Index>(i)] = d[i];
+  check_distortion(distortion.string(), "", camera);
   return camera;
 }
 

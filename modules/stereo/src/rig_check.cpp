@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,6 +13,18 @@ namespace glisson::stereo {
 namespace {
 
 constexpr const char* kCalibrateAgain = "Write the calibration anew or calibrate again";
+
+/// A pixel's place on the plane z = 1, distorted as it is.
+Eigen::Vector2d on_plane(const Camera& camera, double u, double v) {
+  return {(u - camera.matrix(0, 2)) / camera.matrix(0, 0), (v - camera.matrix(1, 2)) / camera.matrix(1, 1)};
+}
+
+/// How far the radial terms move a point at this slope, on the plane z = 1; outwards is positive.
+double radial_shift(const Camera& camera, double slope) {
+  const auto& d = camera.distortion;
+  const double u = slope * slope;
+  return slope * u * (d[0] + u * (d[1] + u * d[4]));
+}
 
 }  // namespace
 
@@ -23,6 +36,9 @@ std::string number_text(double value) {
 
 void check_camera(const std::string& file, const std::string& field, const Camera& camera) {
   const Eigen::Matrix3d& m = camera.matrix;
+  if (m(0, 2) == 0.0 && m(1, 2) == 0.0 && m(2, 0) > 0.0 && m(2, 1) > 0.0)
+    throw InputError(file, field, "is transposed: it has cx and cy in its last row",
+                     "Write rows as columns, in R too; MATLAB counts pixels from 1: take 1 off cx and cy");
   if (m(0, 0) <= 0.0 || m(1, 1) <= 0.0 || m(1, 0) != 0.0 || m(2, 0) != 0.0 || m(2, 1) != 0.0 ||
       std::abs(m(2, 2) - 1.0) > 1e-9)
     throw InputError(file, field, "is not a camera matrix (fx 0 cx; 0 fy cy; 0 0 1)", kCalibrateAgain);
@@ -32,6 +48,51 @@ void check_camera(const std::string& file, const std::string& field, const Camer
                          ") outside the image of " + std::to_string(camera.width) + "x" +
                          std::to_string(camera.height),
                      "Check image_width and image_height: the calibration is of another image size");
+}
+
+Camera without_skew(const std::string& file, const std::string& field, Camera camera) {
+  constexpr double kLargestShift = 0.1;  // pixels: what corners are found to
+  const Eigen::Matrix3d& m = camera.matrix;
+  const double rows = std::max(m(1, 2), camera.height - m(1, 2)), shift = std::abs(m(0, 1)) * rows / m(1, 1);
+  if (!(shift <= kLargestShift))
+    throw InputError(file, field,
+                     "has a skew of " + number_text(m(0, 1)) +
+                         " (row 1, column 2), which moves pixels by up to " + number_text(shift) +
+                         " px and is not computed with",
+                     "Calibrate without skew, which no chip has (fx 0 cx; 0 fy cy; 0 0 1)");
+  camera.matrix(0, 1) = 0.0;
+  return camera;
+}
+
+void check_distortion(const std::string& file, const std::string& field, const Camera& camera) {
+  constexpr double kShareOfWidth = 0.01, kShareOfRadial = 0.5;
+  constexpr int kSlopes = 50;
+  double widest = 0.0;
+  for (const double u : {0.0, camera.width - 1.0})
+    for (const double v : {0.0, camera.height - 1.0})
+      widest = std::max(widest, on_plane(camera, u, v).norm());
+  widest = std::min(widest, camera.widest_slope());
+  double radial = 0.0;
+  for (int n = 1; n <= kSlopes; ++n)
+    radial = std::max(radial, std::abs(radial_shift(camera, widest * n / kSlopes)));
+  const double tangential = 3.0 * camera.distortion.segment<2>(2).norm() * widest * widest,
+               focal = std::max(camera.matrix(0, 0), camera.matrix(1, 1));
+  if (focal * tangential <= kShareOfWidth * camera.width || tangential <= kShareOfRadial * radial) return;
+  throw InputError(file, field,
+                   "moves pixels by up to " + number_text(focal * tangential) +
+                       " px by its tangential terms p1 p2, and by " + number_text(focal * radial) +
+                       " px by its radial ones, which no lens does",
+                   "Write k1 k2 p1 p2 k3 in this order (MATLAB has k1 k2 k3 apart), or calibrate again");
+}
+
+double share_without_rays(const Camera& camera) {
+  constexpr int kStep = 4;  // pixels: a share needs no more
+  const double slope = camera.widest_slope();
+  const double reach = slope + radial_shift(camera, slope);
+  int all = 0, beyond = 0;
+  for (int v = 0; v < camera.height; v += kStep)
+    for (int u = 0; u < camera.width; u += kStep, ++all) beyond += on_plane(camera, u, v).norm() > reach;
+  return static_cast<double>(beyond) / std::max(1, all);
 }
 
 Eigen::Matrix3d checked_rotation(const std::string& file, const std::string& field,

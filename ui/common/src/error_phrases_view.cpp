@@ -86,6 +86,14 @@ const std::vector<const char*>& view_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not the number of a frame"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a camera matrix (fx 0 cx; 0 fy cy; 0 0 1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has its principal point (%1, %2) outside the image of %3x%4"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is transposed: it has cx and cy in its last row"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "has a skew of %1 (row 1, column 2), which moves pixels by up to %2 px and is not "
+                        "computed with"),
+      QT_TRANSLATE_NOOP(
+          "ErrorPhrases",
+          "moves pixels by up to %1 px by its tangential terms p1 p2, and by %2 px by its radial "
+          "ones, which no lens does"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "leaves nothing of the picture"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "the picture could not be encoded"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "no picture has such a name"),
@@ -120,6 +128,12 @@ const std::vector<const char*>& view_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Register from the start"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give both views of every frame"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Use the calibration of this video"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Write rows as columns, in R too; MATLAB counts pixels from 1: take 1 off cx and cy"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Calibrate without skew, which no chip has (fx 0 cx; 0 fy cy; 0 0 1)"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Write k1 k2 p1 p2 k3 in this order (MATLAB has k1 k2 k3 apart), or calibrate again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give a registration of this model"),
       QT_TRANSLATE_NOOP(
           "ErrorPhrases",

@@ -242,6 +242,12 @@ class Notes {
         {"labels.by_number",
          tr("The file does not say what its numbers mean. They were taken as Glisson's own: %*. If they mean "
             "something else, import it again by 'glisson model --labels FILE --codes FILE'.")},
+        {"calibration.left_lens_turns_back",
+         tr("By this calibration %1 % of the left picture, from its edges on, has no ray: nothing is drawn "
+            "there, and points there are wrong. Calibrate with boards in the corners, too, and without k3.")},
+        {"calibration.right_lens_turns_back",
+         tr("By this calibration %1 % of the right picture, from its edges on, has no ray: points there are "
+            "wrong. Calibrate with boards in the corners, too, and without k3.")},
         {"volume.files_missing", tr("The DICOMDIR names files that are not there: slices may be missing. "
                                     "Copy the whole medium. (%*)")},
         {"case.cloud_lost",

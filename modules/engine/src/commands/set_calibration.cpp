@@ -25,8 +25,9 @@ Cancellable<Applied> SetCalibration::apply(const CaseState& state, const RunCont
   std::optional<stereo::Cut> cut;
   if (video && video->right.empty()) cut = stereo::cut_of(video->left, width, height);
   Applied applied{state};
-  applied.state[part::rig] =
-      std::make_shared<const StereoRig>(stereo::read_calibration_for(path, width, height, cut));
+  const auto rig = std::make_shared<const StereoRig>(stereo::read_calibration_for(path, width, height, cut));
+  applied.notes = stereo::calibration_doubts(*rig);
+  applied.state[part::rig] = rig;
   return applied;
 }
 

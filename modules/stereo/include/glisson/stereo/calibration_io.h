@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "glisson/core/units.h"
 #include "glisson/geometry/camera.h"
@@ -14,7 +16,9 @@ namespace glisson::stereo {
 /// x_left + T.
 /// @throws FileError; InputError naming the field: missing, wrong shape, R not a rotation, no baseline or one
 ///   that no laparoscope has (1 to 30 mm: the unit is wrong then), unit unknown, principal point outside the
-///   image, left and right swapped (a right camera to the left of the left one).
+///   image, left and right swapped (a right camera to the left of the left one), a matrix that is transposed
+///   or has a skew that moves a pixel by more than 0.1 px (a smaller one is left out), tangential terms that
+///   no lens has (k3 in their place).
 StereoRig read_calibration(const std::filesystem::path& path);
 /// Writes the same in millimetres. Atomic.
 void write_calibration(const std::filesystem::path& path, const StereoRig& rig);
@@ -39,6 +43,10 @@ bool is_text_calibration(const std::filesystem::path& path);
 /// @throws as those two and cropped().
 StereoRig read_calibration_for(const std::filesystem::path& path, int width, int height,
                                const std::optional<Cut>& cut);
+/// What a calibration leaves open, as codes with their values: "calibration.left_lens_turns_back 27" (and
+/// right_): so many per cent of the picture, from the edges on, have no ray, because the distortion's
+/// polynomial turns back before.
+std::vector<std::string> calibration_doubts(const StereoRig& rig);
 /// Writes calib.{left,right}.{intrinsics,distortion}.txt and calib.l2r.txt, millimetres, into an existing
 /// folder.
 void write_text_calibration(const std::filesystem::path& folder, const StereoRig& rig);
