@@ -335,6 +335,13 @@ QString fault_text(stereo::Fault fault) {
       return Cli::tr("the right view is frozen");
     case Fault::out_of_order:
       return Cli::tr("two frames have changed places");
+    case Fault::interlaced:
+      return Cli::tr(
+          "the film is interlaced: the even and the odd rows of a picture show two moments, so that points "
+          "on "
+          "what moves are off by its motion in half of a frame's time. Set the device to progressive, or "
+          "give "
+          "--video a description of the source (.json) with \"deinterlace\": true");
   }
   return QString();
 }
@@ -342,9 +349,10 @@ QString fault_text(stereo::Fault fault) {
 }  // namespace
 
 int run_check(const QStringList& given) {
-  Arguments arguments("check",
-                      Cli::tr("Looks through a stereo video for faults: black, frozen, duplicated, swapped "
-                              "or exchanged frames, a lost camera, a calibration of another scope."));
+  Arguments arguments(
+      "check",
+      Cli::tr("Looks through a stereo video for faults: black, frozen, duplicated, swapped "
+              "or exchanged frames, a lost camera, interlaced rows, a calibration of another scope."));
   arguments.option(
       "video", Cli::tr("Stereo video, folder of picture pairs, or description of a source (.json)."), "V");
   arguments.option("video-right", Cli::tr("The right view, when it is a file of its own."), "V");

@@ -135,6 +135,15 @@ void hold_still(std::vector<StereoFrame>& frames, int moving, int pixels) {
   }
 }
 
+/// Even rows of one picture, odd rows of another one.
+Picture woven(const Picture& even, const Picture& odd) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*even.bytes);
+  const auto row = static_cast<std::ptrdiff_t>(3 * even.width);
+  for (int y = 1; y < even.height; y += 2)
+    std::copy_n(odd.bytes->begin() + y * row, row, bytes->begin() + y * row);
+  return {even.width, even.height, 3, std::move(bytes)};
+}
+
 struct Injury {
   const char* name;
   std::function<void(std::vector<StereoFrame>&)> injure;
@@ -248,6 +257,20 @@ class FaultsTest : public QObject {
     COMPARE_FAULTS(faults_of(frames), "");
     std::swap(frames[3], frames[4]);
     COMPARE_FAULTS(faults_of(frames), "4:out_of_order ");
+  }
+
+  /// As a device takes it that makes one picture of two moments.
+  void AnInterlacedOperationIsRecognised() {
+    std::vector<StereoFrame> frames;
+    for (std::size_t i = 0; i + 1 < film().frames.size(); i += 2) {
+      StereoFrame frame = film().frames[i];
+      frame.left = woven(frame.left, film().frames[i + 1].left);
+      frame.right = woven(frame.right, film().frames[i + 1].right);
+      frames.push_back(frame);
+    }
+    const auto faults = faults_of(frames);
+    QCOMPARE(faults.size(), std::size_t{1});
+    QVERIFY2(faults[0].fault == Fault::interlaced, text(faults).c_str());
   }
 
   /// As a recorder stores them: views side by side, with loss. Frames that were alike are not then.

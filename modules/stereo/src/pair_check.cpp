@@ -154,6 +154,8 @@ const char* fault_code(Fault fault) {
       return "left_frozen";
     case Fault::right_frozen:
       return "right_frozen";
+    case Fault::interlaced:
+      return "interlaced";
     case Fault::out_of_order:
       return "out_of_order";
   }

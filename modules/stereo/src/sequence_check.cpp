@@ -4,8 +4,10 @@
 #include <deque>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <utility>
 
 #include "glisson/stereo/faults.h"
+#include "interlace.h"
 #include "picture_cv.h"
 #include "view_state.h"
 
@@ -131,6 +133,8 @@ struct SequenceCheck::Impl {
   cv::Mat left, right;        ///< the last sound frame, grey, all pixels
   double seconds = 0.0;       ///< its time
   ViewMotion left_motion, right_motion;
+  Interlace left_rows, right_rows;
+  bool interlace_told = false;
 
   /// Whether the last two frames came in the wrong order: the last one fits between the two before it, and
   /// the new frame continues the last but one.
@@ -172,6 +176,12 @@ struct SequenceCheck::Impl {
     return std::nullopt;
   }
 
+  /// Whether it has become known just now, and has not been told.
+  bool found_interlaced() {
+    const bool left_is = left_rows.push(left), right_is = right_rows.push(right);
+    return (left_is || right_is) && !std::exchange(interlace_told, true);
+  }
+
   /// Whether one view stands while the other goes on.
   static bool far_below(double standing, double other) {
     return other > ViewMotion::kSwallowed && standing < ViewMotion::kStill * other;
@@ -197,6 +207,7 @@ std::vector<FrameFault> SequenceCheck::push(const StereoFrame& frame) {
   const std::optional<Fault> still = impl_->still(left, right, frame.seconds);
   if (still) say(*still, frame.index);
   if (still == Fault::duplicated || still == Fault::frozen) return found;  // nothing new to remember
+  if (impl_->found_interlaced()) say(Fault::interlaced, frame.index);
   if (impl_->exchanged(now)) {
     say(Fault::out_of_order, seen.back().index);
     std::swap(seen[1], seen[2]);  // as they should have come

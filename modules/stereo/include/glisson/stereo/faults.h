@@ -28,7 +28,8 @@ enum class Fault {
   frozen,        ///< for a fifth of a second nothing has changed, not even noise (but for a codec's)
   left_frozen,   ///< the left view stands while the right one moves: they show two moments
   right_frozen,  ///< the reverse
-  out_of_order   ///< two frames have changed places
+  out_of_order,  ///< two frames have changed places
+  interlaced  ///< even and odd rows show two moments, from the first frame on: points are off by its motion
 };
 /// "black", "left_lost", ...
 const char* fault_code(Fault fault);
@@ -68,6 +69,7 @@ struct FrameFault {
 /// Looks at frames one after another: black, lost and same views, duplicates, freezes, changes of order; in
 /// lossless and in lossy video. A view stands when it changes far less than in any of its last four changes,
 /// and less than a sensor's coded noise; where a codec leaves next to no change at all nothing is said.
+/// That a film is interlaced is told once, as soon as enough has moved to know it.
 /// Swapping is recognised where it begins and ends, from the frame before; whether the first frame is swapped
 /// only check_pair() can tell.
 class SequenceCheck {
