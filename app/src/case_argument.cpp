@@ -19,7 +19,8 @@ void open_case(const Arguments& arguments, Session& session) {
 
 void save_case(const Arguments& arguments, Session& session) {
   const std::filesystem::path wanted = arguments.required_path("case");
-  session.post(engine::SaveCase{wanted, true});
+  // Only what was opened here: a case that somebody else has put there meanwhile is not replaced.
+  session.post(engine::SaveCase{wanted});
   const std::filesystem::path& saved = session.state().path;
   if (saved != wanted)
     throw FileError(wanted.string() +

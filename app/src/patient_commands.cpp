@@ -17,6 +17,10 @@
 #include "glisson/engine/commands/set_modality.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/hand_edits.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/series_texts.h"
@@ -78,6 +82,15 @@ std::optional<Modality> modality_from(const QString& text) {
   const auto modality = modality_named(text.toStdString());
   if (modality && *modality != Modality::other) return modality;
   throw UsageError(Cli::tr("--modality %1: write ct or mr.").arg(text).toStdString());
+}
+
+/// Another CT of the same patient, or another patient's: the window asks the same.
+/// @throws InputError where there is something already that it would stand beside.
+void require_empty(const engine::CaseState& state, const fs::path& folder) {
+  if (state[part::image] || state[part::labels] || state[part::model] || state[part::cloud])
+    throw InputError(folder.string(), "", "is a case already",
+                     "Choose another one for another patient; for another image of the same patient give "
+                     "--replace: all else stays, marked out of date");
 }
 
 /// The series of a folder in the order of the window's list, and what speaks against each.
@@ -231,6 +244,8 @@ int run_import(const QStringList& given) {
   arguments.option("modality", Cli::tr("ct or mr: what the volume is, where its file does not say."),
                    "MODALITY");
   declare_case(arguments);
+  arguments.flag("replace", Cli::tr("The case is there already, and this is another image of its patient: it "
+                                    "takes the former one's place; all else stays, marked out of date."));
   if (!arguments.parse(given)) return 0;
   const QString input = arguments.positionals(1, 1).front();
   if (arguments.has("list")) return tell_series(arguments, input.toStdString());
@@ -238,6 +253,7 @@ int run_import(const QStringList& given) {
   const auto modality = modality_from(arguments.value("modality"));
   Session session(arguments);
   if (fs::exists(folder)) open_case(arguments, session);
+  if (!arguments.has("replace")) require_empty(session.state(), folder);
   session.call("image", input.toStdString());
   session.post(
       engine::ImportImage{input.toStdString(), arguments.value("series").toStdString(), false, modality});

@@ -86,7 +86,7 @@ void DoctorCommandsTest::TheLogNamesNobody() {
   test::write_plain_ct(at("Anna Smith 1970.nrrd"));
   QCOMPARE(run({"import", "Anna Smith 1970.nrrd", "--case", "anna.glisson"}).code, 0);
   test::write_text(at("anna smith.nrrd"), "no volume");
-  QCOMPARE(run({"import", "anna smith.nrrd", "--case", "anna.glisson"}).code, 1);
+  QCOMPARE(run({"import", "anna smith.nrrd", "--replace", "--case", "anna.glisson"}).code, 1);
   const QString log = QString::fromStdString(read_file(state() / "log/glisson.log"));
   QVERIFY2(log.contains("import_image done") && log.contains("save_case done"), qPrintable(log));
   QVERIFY2(log.contains("error import_image"), qPrintable(log));

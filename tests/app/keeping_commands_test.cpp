@@ -83,7 +83,7 @@ void KeepingCommandsTest::FiguresGoThroughALink() {
   make_case();
   fs::create_directory(at("figures"));
   fs::create_symlink("figures/f.json", at("link.json"));
-  const Ran ran = run({"import", "ct.nrrd", "--case", "a.glisson", "--json", "link.json"});
+  const Ran ran = run({"import", "ct.nrrd", "--replace", "--case", "a.glisson", "--json", "link.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error));
   QVERIFY(fs::is_symlink(at("link.json")) && figures("figures/f.json").contains("seconds"));
 }

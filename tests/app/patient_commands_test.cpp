@@ -37,6 +37,7 @@ class PatientCommandsTest : public QObject, private test::Program {
   void AnOwnNetworkLabelsTheCt();
   void CorrectionsByHandAreReplacedOnlyWhenToldTo();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
+  void AnotherImageTakesNoCaseUnasked();
   void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
   void AModelComesFromAListOfSurfacesAndItsTreesAreEdited();
@@ -228,6 +229,20 @@ void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {
   write_labels(at("labels.nrrd"), labels, {});
   refused({"model", "--case", "a.glisson", "--labels", "labels.nrrd"}, "labels.nrrd");
   QCOMPARE(read_file(at("a.glisson/case.json")), before);
+}
+
+/// It may be another patient's: their labels and model would stay beside it.
+void PatientCommandsTest::AnotherImageTakesNoCaseUnasked() {
+  import_small_ct();
+  const std::string before = read_file(at("a.glisson/image.nrrd"));
+  write_image(at("other.nrrd"), test::ball_ct(60.0));
+  const QStringList import = {"import", "other.nrrd", "--case", "a.glisson"};
+  refused(import, "a.glisson: is a case already");
+  refused(import, "--replace");
+  QVERIFY(read_file(at("a.glisson/image.nrrd")) == before);
+  const Ran ran = run(import + QStringList{"--replace"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QVERIFY(read_file(at("a.glisson/image.nrrd")) != before);
 }
 
 void PatientCommandsTest::ACaseOfAnotherVersionIsRefused() {

@@ -106,7 +106,7 @@ class Trial {
 
  private:
   Words import(int n) const {
-    return {"import", (folder_ / (n % 2 == 0 ? "one.nrrd" : "two.nrrd")).string(), "--case",
+    return {"import", (folder_ / (n % 2 == 0 ? "one.nrrd" : "two.nrrd")).string(), "--replace", "--case",
             (folder_ / "a.glisson").string()};
   }
   Words record() const {

@@ -186,6 +186,7 @@ const std::vector<const char*>& file_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not [x, y, width, height]"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not that of a server, which sends both views"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is one file too many for this layout"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is a case already"),
   };
   return kPhrases;
 }
@@ -193,6 +194,9 @@ const std::vector<const char*>& file_problems() {
 const std::vector<const char*>& file_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Add it"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Choose another one for another patient; for another image of the same patient give "
+                        "--replace: all else stays, marked out of date"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write a number"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write a finite number"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write a list of numbers"),
