@@ -338,10 +338,8 @@ QString fault_text(stereo::Fault fault) {
     case Fault::interlaced:
       return Cli::tr(
           "the film is interlaced: the even and the odd rows of a picture show two moments, so that points "
-          "on "
-          "what moves are off by its motion in half of a frame's time. Set the device to progressive, or "
-          "give "
-          "--video a description of the source (.json) with \"deinterlace\": true");
+          "on what moves are off by its motion in half of a frame's time. Set the device to progressive, or "
+          "give --video a description of the source (.json) with \"deinterlace\": true");
   }
   return QString();
 }
