@@ -2339,10 +2339,6 @@
         <translation>gehört zu keinem Tetraeder</translation>
     </message>
     <message>
-        <source>is 0, where the neo-Hookean law has no volume term</source>
-        <translation>ist 0, und dort hat das Neo-Hooke-Gesetz keinen Volumenterm</translation>
-    </message>
-    <message>
         <source>holds none</source>
         <translation>enthält keine</translation>
     </message>
@@ -2653,10 +2649,6 @@
     <message>
         <source>Give a Poisson ratio from 0 to below 0.5</source>
         <translation>Geben Sie eine Querkontraktionszahl von 0 bis unter 0,5 an</translation>
-    </message>
-    <message>
-        <source>Give a Poisson ratio above 0 or take the co-rotational law</source>
-        <translation>Geben Sie eine Querkontraktionszahl über 0 an, oder nehmen Sie das korotierte Gesetz</translation>
     </message>
     <message>
         <source>Give a value between %1 and %2 %3</source>
@@ -4319,6 +4311,10 @@
         <translation>liegt über high_mm</translation>
     </message>
     <message>
+        <source>is above 180</source>
+        <translation>ist über 180</translation>
+    </message>
+    <message>
         <source>names no ball, box or direction</source>
         <translation>nennt keine Kugel, keinen Quader und keine Richtung</translation>
     </message>
@@ -4899,10 +4895,6 @@
         <translation>Geben Sie Indizes ab 0 an</translation>
     </message>
     <message>
-        <source>Give a 0-based index</source>
-        <translation>Geben Sie einen Index ab 0 an</translation>
-    </message>
-    <message>
         <source>Give 0-based node numbers</source>
         <translation>Geben Sie Knotennummern ab 0 an</translation>
     </message>
@@ -4961,6 +4953,10 @@
     <message>
         <source>Swap the coordinates</source>
         <translation>Tauschen Sie die Koordinaten</translation>
+    </message>
+    <message>
+        <source>Give at most 180 degrees: every direction</source>
+        <translation>Geben Sie höchstens 180 Grad an: jede Richtung</translation>
     </message>
     <message>
         <source>Save it packed by ZLib, or plain</source>

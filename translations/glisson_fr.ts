@@ -2339,10 +2339,6 @@
         <translation>n’appartient à aucun tétraèdre</translation>
     </message>
     <message>
-        <source>is 0, where the neo-Hookean law has no volume term</source>
-        <translation>vaut 0, où la loi néo-hookéenne n’a pas de terme de volume</translation>
-    </message>
-    <message>
         <source>holds none</source>
         <translation>n’en contient pas</translation>
     </message>
@@ -2653,10 +2649,6 @@
     <message>
         <source>Give a Poisson ratio from 0 to below 0.5</source>
         <translation>Donnez un coefficient de Poisson de 0 à moins de 0,5</translation>
-    </message>
-    <message>
-        <source>Give a Poisson ratio above 0 or take the co-rotational law</source>
-        <translation>Donnez un coefficient de Poisson supérieur à 0, ou prenez la loi corotationnelle</translation>
     </message>
     <message>
         <source>Give a value between %1 and %2 %3</source>
@@ -4319,6 +4311,10 @@
         <translation>est au-dessus de high_mm</translation>
     </message>
     <message>
+        <source>is above 180</source>
+        <translation>dépasse 180</translation>
+    </message>
+    <message>
         <source>names no ball, box or direction</source>
         <translation>ne nomme ni boule, ni boîte, ni direction</translation>
     </message>
@@ -4899,10 +4895,6 @@
         <translation>Donnez des indices à partir de 0</translation>
     </message>
     <message>
-        <source>Give a 0-based index</source>
-        <translation>Donnez un indice à partir de 0</translation>
-    </message>
-    <message>
         <source>Give 0-based node numbers</source>
         <translation>Donnez des numéros de nœuds à partir de 0</translation>
     </message>
@@ -4961,6 +4953,10 @@
     <message>
         <source>Swap the coordinates</source>
         <translation>Échangez les coordonnées</translation>
+    </message>
+    <message>
+        <source>Give at most 180 degrees: every direction</source>
+        <translation>Donnez au plus 180 degrés : toutes les directions</translation>
     </message>
     <message>
         <source>Save it packed by ZLib, or plain</source>
