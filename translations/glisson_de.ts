@@ -8517,6 +8517,10 @@
         <translation>--%1: hat keinen Wert. Siehe &apos;glisson %2 --help&apos;.</translation>
     </message>
     <message>
+        <source>glisson %1: an argument is empty. See &apos;glisson %1 --help&apos;.</source>
+        <translation>glisson %1: Ein Argument ist leer. Siehe &apos;glisson %1 --help&apos;.</translation>
+    </message>
+    <message>
         <source>two frames have changed places</source>
         <translation>zwei Bilder haben die Plätze getauscht</translation>
     </message>

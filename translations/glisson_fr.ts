@@ -8517,6 +8517,10 @@
         <translation>--%1 : n&apos;a pas de valeur. Voir &apos;glisson %2 --help&apos;.</translation>
     </message>
     <message>
+        <source>glisson %1: an argument is empty. See &apos;glisson %1 --help&apos;.</source>
+        <translation>glisson %1 : un argument est vide. Voir &apos;glisson %1 --help&apos;.</translation>
+    </message>
+    <message>
         <source>two frames have changed places</source>
         <translation>deux images ont échangé leur place</translation>
     </message>

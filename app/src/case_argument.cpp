@@ -17,6 +17,13 @@ void open_case(const Arguments& arguments, Session& session) {
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::write});
 }
 
+void open_case_if_there(const Arguments& arguments, Session& session) {
+  if (std::filesystem::exists(arguments.required_path("case")))
+    open_case(arguments, session);
+  else if (!arguments.value("case").endsWith(QLatin1Char('/')))  // saving takes that for the folder's name
+    arguments.output_file("case", {".glisson"});
+}
+
 void save_case(const Arguments& arguments, Session& session) {
   const std::filesystem::path wanted = arguments.required_path("case");
   // Only what was opened here: a case that somebody else has put there meanwhile is not replaced.

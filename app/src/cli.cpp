@@ -97,6 +97,14 @@ void merge(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
+bool is_same_place(const fs::path& a, const fs::path& b) {
+  std::error_code failure;
+  if (fs::equivalent(a, b, failure)) return true;
+  // What is not there yet has a name alone.
+  const fs::path one = fs::weakly_canonical(fs::absolute(a, failure), failure);
+  return !failure && one == fs::weakly_canonical(fs::absolute(b, failure), failure) && !failure;
+}
+
 void catch_interrupts() {
   interrupt_flag();  // made now, not inside the handler
   struct sigaction action = {};
@@ -162,6 +170,7 @@ void Arguments::option(const QString& name, const QString& description, const QS
 }
 void Arguments::flag(const QString& name, const QString& description) {
   parser_.addOption({name, description});
+  flags_ << name;
 }
 
 void Arguments::option_with_usual_value(const QString& name, const QString& description,
@@ -182,6 +191,7 @@ bool Arguments::parse(const QStringList& given) {
     throw UsageError(told.toStdString() + ". See 'glisson " + command_.toStdString() + " --help'.");
   }
   if (!parser_.isSet("help")) {
+    refuse_slips();
     if (!takes_positionals_ && !positionals().isEmpty())
       throw UsageError(positionals().front().toStdString() + ": is no option of 'glisson " +
                        command_.toStdString() + "'. See 'glisson " + command_.toStdString() + " --help'.");
@@ -200,6 +210,22 @@ bool Arguments::parse(const QStringList& given) {
   return false;
 }
 
+void Arguments::refuse_slips() const {
+  if (positionals().contains(QString()))
+    throw UsageError(
+        Cli::tr("glisson %1: an argument is empty. See 'glisson %1 --help'.").arg(command_).toStdString());
+  const QStringList names = parser_.optionNames();
+  for (const QString& name : names) {
+    if (names.count(name) > 1)
+      throw UsageError(Cli::tr("--%1: is given twice. Leave one of them out.").arg(name).toStdString());
+    if (flags_.contains(name) || may_stand_alone_.contains(QStringLiteral("--") + name)) continue;
+    // The next option is taken for the value of one that has none.
+    if (value(name).isEmpty() || value(name).startsWith(QLatin1String("--")))
+      throw UsageError(
+          Cli::tr("--%1: has no value. See 'glisson %2 --help'.").arg(name, command_).toStdString());
+  }
+}
+
 fs::path Arguments::required_path(const QString& name) const {
   if (!has(name) || value(name).isEmpty())
     throw UsageError("--" + name.toStdString() + ": is needed. See 'glisson " + command_.toStdString() +
@@ -210,11 +236,27 @@ fs::path Arguments::required_path(const QString& name) const {
 fs::path Arguments::output_file(const QString& name, const QStringList& endings) const {
   const fs::path file = required_path(name);
   require_place_for(file);
+  refuse_shared_place(name);
   const auto fits = [&](const QString& ending) { return value(name).endsWith(ending, Qt::CaseInsensitive); };
   if (!endings.isEmpty() && std::none_of(endings.begin(), endings.end(), fits))
     throw UsageError("--" + name.toStdString() + " " + file.string() + ": must end in " +
                      endings.join(", ").toStdString() + ".");
   return file;
+}
+
+void Arguments::refuse_shared_place(const QString& name) const {
+  const auto refuse = [&](const QString& other) {
+    throw UsageError(Cli::tr("--%1 %2: %3 is the same file. Choose another name.")
+                         .arg(name, value(name), other)
+                         .toStdString());
+  };
+  QStringList others = parser_.optionNames();
+  others.removeDuplicates();
+  for (const QString& other : others)
+    if (other != name && !value(other).isEmpty() && is_same_place(path(name), path(other)))
+      refuse(QStringLiteral("--") + other);
+  for (const QString& given : positionals())
+    if (is_same_place(path(name), given.toStdString())) refuse(given);
 }
 
 void Arguments::require_existing(const QString& name) const {

@@ -75,6 +75,7 @@ class Arguments {
   /// A file that the command will write. Asked for before the work, so that hours of it are not lost to a
   /// misspelt folder. @throws UsageError when the option is absent or of no such format, FileError when no
   /// file can stand there.
+  /// Nothing else that the person named lies there.
   /// @param endings of the formats that can be written; empty: any.
   std::filesystem::path output_file(const QString& name, const QStringList& endings = {}) const;
   /// A file that is read at the end, when there is such an option. @throws FileError when it does not exist.
@@ -92,9 +93,15 @@ class Arguments {
   std::uint64_t seed() const;
 
  private:
+  /// @throws UsageError an option is given twice, or without the value that it takes.
+  void refuse_slips() const;
+  /// @throws UsageError another option or argument names the same file: it would be written over.
+  void refuse_shared_place(const QString& name) const;
+
   QString command_;
   QCommandLineParser parser_;
   bool takes_positionals_ = false;
+  QStringList flags_;            ///< that take no value
   QStringList may_stand_alone_;  ///< "--name"
 };
 
@@ -139,6 +146,9 @@ class Session {
   std::chrono::steady_clock::time_point begin_;
   Log log_;
 };
+
+/// Whether two paths are one file, or will be.
+bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// From now on Ctrl-C cancels what is running instead of ending the process.
 void catch_interrupts();

@@ -130,7 +130,7 @@ int run_model(const QStringList& given) {
                                                  : std::vector<model::TreeEdit>();
   const LabelCodes codes = codes_of(arguments, "codes");
   Session session(arguments);
-  if (std::filesystem::exists(arguments.required_path("case"))) open_case(arguments, session);
+  open_case_if_there(arguments, session);
   build_model(arguments, session, options, codes);
   if (!edits.empty()) session.post(engine::EditTrees{edits});
   say_stiffness(arguments, session);

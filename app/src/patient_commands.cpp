@@ -252,7 +252,7 @@ int run_import(const QStringList& given) {
   const fs::path folder = arguments.required_path("case");
   const auto modality = modality_from(arguments.value("modality"));
   Session session(arguments);
-  if (fs::exists(folder)) open_case(arguments, session);
+  open_case_if_there(arguments, session);
   if (!arguments.has("replace")) require_empty(session.state(), folder);
   session.call("image", input.toStdString());
   session.post(

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the cloud to the registered model.
+#include <optional>
+
 #include "cli.h"
 #include "commands.h"
 #include "exit_code.h"
@@ -119,13 +121,19 @@ engine::Register command_of(const Arguments& arguments, const Session& session, 
   return command;
 }
 
+std::optional<int> rival_of(const Arguments& arguments) {
+  if (!arguments.has("rival")) return {};
+  return arguments.integer("rival", 1, 99);
+}
+
 /// Registers, and takes another place or what is in doubt where that is asked for.
-void register_as_told(const Arguments& arguments, Session& session, const engine::Register& command) {
+void register_as_told(const Arguments& arguments, Session& session, const engine::Register& command,
+                      std::optional<int> rival) {
   const Figures before = session.figures;
   session.post(command);
-  if (arguments.has("rival")) {
+  if (rival) {
     session.figures = before;  // what is told is of the place that is taken
-    session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 99) - 1)});
+    session.post(engine::ChooseRival{static_cast<std::size_t>(*rival - 1)});
   }
   if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
 }
@@ -164,13 +172,14 @@ int run_register(const QStringList& given) {
       arguments.has("report") ? arguments.output_file("report", {".html", ".htm"}) : fs::path();
   const fs::path cloud = arguments.required_path("cloud");
   (void)given_materials(arguments);  // a slip is told before the work
+  const std::optional<int> rival = rival_of(arguments);
   arguments.require_existing("truth");
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
   const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
   bring_clouds(arguments, session, cloud, unit);
   say_stiffness(arguments, session);
-  register_as_told(arguments, session, command_of(arguments, session, argument.unit));
+  register_as_told(arguments, session, command_of(arguments, session, argument.unit), rival);
   if (arguments.has("truth")) compare_with_truth(arguments, session, argument.unit);
   const Registration& registration = *session.state()[part::registration];
   const bool refused = registration::is_refused(registration);

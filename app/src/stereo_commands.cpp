@@ -346,6 +346,16 @@ QString fault_text(stereo::Fault fault) {
 
 }  // namespace
 
+namespace {
+
+/// How the pictures were cut out of those that the scope was calibrated on.
+std::optional<stereo::Cut> cut_of(const Arguments& arguments, const stereo::StereoVideo& video) {
+  if (arguments.has("video-right")) return {};
+  return stereo::cut_of(arguments.path("video"), video.width(), video.height());
+}
+
+}  // namespace
+
 int run_check(const QStringList& given) {
   Arguments arguments(
       "check",
@@ -361,7 +371,8 @@ int run_check(const QStringList& given) {
   stereo::StereoVideo video(arguments.required_path("video"), arguments.path("video-right"));
   std::optional<StereoRig> rig;
   if (arguments.has("calibration"))
-    rig = stereo::read_calibration_for(arguments.path("calibration"), video.width(), video.height(), {});
+    rig = stereo::read_calibration_for(arguments.path("calibration"), video.width(), video.height(),
+                                       cut_of(arguments, video));
   stereo::VideoCheckOptions options;
   options.every = arguments.integer("every", 1, 100000);
   const auto tell = [](const stereo::FrameFault& fault) {

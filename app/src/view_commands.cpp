@@ -228,6 +228,11 @@ int run_overlay(const QStringList& given) {
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   const Replayed replayed(arguments, session);
   if (!arguments.has("recording")) session.need({part::video});
+  for (const std::filesystem::path& read : {replayed.video.left, replayed.video.right})
+    if (!read.empty() && is_same_place(out, read))
+      throw FileError(Cli::tr("%1: is the video that is drawn into. Choose another name.")
+                          .arg(QString::fromStdString(out.string()))
+                          .toStdString());
   const double rate = stereo::StereoVideo(replayed.video.left, replayed.video.right).frames_per_second();
   const std::optional<TrackReplay>& replay = replayed.track;
   OverlayRecorder recorder(session.state(), out, rate, style, interest, replay && replay->is_recording());

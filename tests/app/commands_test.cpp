@@ -29,7 +29,23 @@ class CommandsTest : public QObject, private test::Program {
   void MissingInputIsNamed();
   void APlaceThatCannotBeWrittenIsRefusedBeforeTheWork();
   void AnEmptyFolderIsRefused();
+  void WhatIsReadOrWrittenTwiceIsNotWrittenOver();
 };
+
+/// Under another spelling of the path, and through a link, too.
+void CommandsTest::WhatIsReadOrWrittenTwiceIsNotWrittenOver() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  fs::create_symlink("m.vtu", at("link.vtu"));
+  const std::string before = read_file(at("m.vtu"));
+  for (const char* out : {"m.vtu", "./m.vtu", "link.vtu"})
+    refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", out}, "--model is the same file",
+            2);
+  refused({"reconstruct", "--left", "l.png", "--right", "r.png", "--calibration", "c.yaml", "--out", "c.ply",
+           "--json", "c.ply"},
+          "is the same file", 2);
+  refused({"import", "ct.nrrd", "--case", "a.glisson", "--json", "ct.nrrd"}, "ct.nrrd is the same file", 2);
+  QVERIFY(read_file(at("m.vtu")) == before);
+}
 
 void CommandsTest::EveryCommandHelps() {
   for (const char* command : {"demo", "import", "segment", "edit", "model", "calibrate", "check", "prove",
@@ -99,6 +115,16 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"render", "--case", "a.glisson", "--out", "p.png", "--lesion", "tumour"}, "--lesion", 2);
   refused({"render", "--case", "a.glisson", "--out", "p.png", "--mark", "3;4"}, "--mark", 2);
   refused({"reconstruct", "--out", "c.xyz"}, ".ply", 2);
+  // The second one would have been taken, and the next option for a value.
+  refused({"reconstruct", "--out", "a.ply", "--out", "b.ply"}, "--out: is given twice", 2);
+  refused({"simulate", "--model", "m.vtu", "--load", "l.json", "--out", "--static"}, "--out: has no value",
+          2);
+  refused({"import", "", "--case", "a.glisson"}, "an argument is empty", 2);
+  // Before the volume, which is missing, too, is read.
+  refused({"import", "ct.nrrd", "--case", "a.case"}, "must end in .glisson", 2);
+  refused({"import", "ct.nrrd", "--case", "nowhere/a.glisson"}, "nowhere/a.glisson: its folder");
+  refused({"model", "--surfaces", "s", "--case", "nowhere/a.glisson"}, "nowhere/a.glisson: its folder");
+  refused({"check", "--video", "v.mkv", "--calibration", ""}, "--calibration: has no value", 2);
 }
 
 void CommandsTest::MissingInputIsNamed() {

@@ -52,6 +52,7 @@ class StereoCommandsTest : public QObject, private test::Program {
   void CheckFindsNothingInASoundSequence();
   void CheckNamesTheFramesWithFaults();
   void CheckHoldsPairsAgainstTheCalibration();
+  void CheckTakesTheCalibrationOfWholeViewsForPicturesThatAreCut();
   void CheckNamesWhatIsMissing();
   void ProofsRefuseWrongUsage();
   void AProofWithoutItsDataIsNoSuccess();
@@ -247,7 +248,6 @@ void StereoCommandsTest::ACancelledCalibrationWritesNothing() {
   QCOMPARE(files(), before);
 }
 
-void StereoCommandsTest::CheckFindsNothingInASoundSequence() {
 /// The program that reads the pictures gets the signal, too.
 void StereoCommandsTest::GoodPicturesAreNotCalledDamagedWhereATerminalInterrupts() {
   put_boards(10);
@@ -258,6 +258,7 @@ void StereoCommandsTest::GoodPicturesAreNotCalledDamagedWhereATerminalInterrupts
   }
 }
 
+void StereoCommandsTest::CheckFindsNothingInASoundSequence() {
   put_frames(12, {});
   const Ran ran = run({"check", "--video", "frames", "--json", "f.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error + ran.out));
@@ -301,6 +302,17 @@ void StereoCommandsTest::CheckHoldsPairsAgainstTheCalibration() {
   ran = run({"check", "--video", "frames", "--calibration", "c.yaml"});
   QCOMPARE(ran.code, 1);
   QVERIFY2(ran.out.contains("frame 0: left and right are swapped"), qPrintable(ran.out + ran.error));
+}
+
+/// As every other command does.
+void StereoCommandsTest::CheckTakesTheCalibrationOfWholeViewsForPicturesThatAreCut() {
+  put_pair();
+  fs::create_directory(at("frames"));
+  fs::rename(at("l.png"), at("frames/left-0.png"));
+  fs::rename(at("r.png"), at("frames/right-0.png"));
+  write_text(at("cut.json"), R"({"left": "frames", "crop": [10, 6, 300, 220]})");
+  const Ran ran = run({"check", "--video", "cut.json", "--calibration", "c.yaml"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error + ran.out));
 }
 
 void StereoCommandsTest::CheckNamesWhatIsMissing() {
