@@ -309,6 +309,24 @@ class ContactForcesTest : public QObject {
              qPrintable(QString::number(1e3 * pulled.error(*next))));
   }
 
+  void WhatACloudTellsOfItsNoiseIsBelieved() {
+    Pulled pulled;
+    pulled.shake(6e-3, 2);
+    const ContactForceFit untold = pulled.fit(pulled.options());
+    for (int i = 0; i < pulled.cloud.size(); ++i) pulled.cloud.sigma.push_back(i % 2 == 0 ? 6e-3 : 0.2e-3);
+    const ContactForceFit told = pulled.fit(pulled.options());
+    QVERIFY2(pulled.error(told) < 0.5 * pulled.error(untold),
+             qPrintable(
+                 QString("%1, untold %2 mm").arg(1e3 * pulled.error(told)).arg(1e3 * pulled.error(untold))));
+    // What is told is the least that is taken, and nothing is known better than that allows.
+    Pulled clean;
+    const double known = clean.fit(clean.options()).expected_error.mean();
+    clean.cloud.sigma.assign(static_cast<std::size_t>(clean.cloud.size()), 4e-3);
+    const ContactForceFit doubted = clean.fit(clean.options());
+    QVERIFY(doubted.laws[static_cast<std::size_t>(doubted.chosen)].sigma >= 4e-3);
+    QVERIFY(doubted.expected_error.mean() > 2.0 * known);
+  }
+
   void FollowingIsCancelled() {
     const Pulled pulled;
     ForceFollower follower(pulled.model, {}, pulled.options());

@@ -42,6 +42,15 @@ PreparedCloud prepared(const LabelledCloud& cloud, const ContactForceOptions& op
   return prepare_cloud(cloud, {3.9, options.most_points, 10});
 }
 
+/// Deviation that all points would have with as much information, m; 0: some point is told to have none.
+/// Where neighbours share an error besides, the stages are of that.
+double noise_told_by(const PreparedCloud& cloud, const ContactForceOptions& options) {
+  if (options.information || cloud.cloud.sigma.empty()) return 0.0;
+  double precision = 0.0;
+  for (const double sigma : cloud.cloud.sigma) precision += 1.0 / (sigma * sigma);
+  return std::sqrt(cloud.cloud.size() / precision);
+}
+
 /// See ContactForceFit::torn.
 double torn_share(const TetMesh& mesh, const Points& rest, const Points& x) {
   constexpr double kLongest = 2.0;
@@ -75,6 +84,7 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
       body(m.mesh, o.fixed_nodes, o.stiffness),
       force_surface(m.surface, m.mesh.vertices, fixed_of(body)),
       start(s),
+      told_noise(noise_told_by(cloud, o)),
       grounded(o.fixed_nodes.empty()),
       free_pose(o.fixed_nodes.empty() && !o.pose_known) {
   if (!o.prior) return;
@@ -85,7 +95,10 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
   modes = o.prior->modes;
 }
 
-void ForceProblem::take(const LabelledCloud& next) { cloud = prepared(next, options); }
+void ForceProblem::take(const LabelledCloud& next) {
+  cloud = prepared(next, options);
+  told_noise = noise_told_by(cloud, options);
+}
 
 ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground)
     : problem_(problem),
@@ -403,8 +416,12 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
 }
 
 bool ForceFitter::run(const RunContext& context, const std::function<void()>& advance) {
-  for (const double sigma : problem_.options.sigmas) {
-    if (sigma > 1.01 * first_sigma_) continue;
+  const double least = problem_.told_noise;
+  double last = 0.0;
+  for (const double of_stage : problem_.options.sigmas) {
+    const double sigma = std::max(of_stage, least);
+    if (sigma > 1.01 * std::max(first_sigma_, least) || (sigma == least && last == least)) continue;
+    last = sigma;
     if (!stage(sigma, context)) return false;
     advance();
     // Once sigma is below the noise, the evidence only falls. At a large sigma a single stage may have

@@ -24,6 +24,7 @@ struct ForceProblem {
   fem::ElasticBody body;
   ForceSurface force_surface;
   CameraFromCt start;
+  double told_noise;        ///< deviation that the cloud itself tells of its points, m; 0: none
   bool grounded;            ///< nothing is fixed: springs to the ground hold the body
   bool free_pose;           ///< the pose is found, too
   fem::NodalColumns modes;  ///< of the prior; no columns: none

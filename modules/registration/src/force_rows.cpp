@@ -24,7 +24,9 @@ void resize(ForceRows& rows, Eigen::Index count) {
 void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurface& surface, double sigma) {
   for (const Pair& pair : find_pairs(cloud, surface, {})) {
     if (!pair.kept || on_surface(surface, pair.feature)) continue;
+
     const bool notch = pair.feature == Feature::umbilical_notch;
+    const double own = notch ? 0.0 : cloud.deviation(pair.point);  // the notch's points make one
     const auto look = static_cast<std::size_t>(cloud.cloud.look(pair.point));
     const double information = notch
                                    ? 1.0 / cloud.notch_points[look]
@@ -37,8 +39,9 @@ void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurfa
       rows.points.row(first + c) = pair.on_model.point.transpose();
       rows.directions.row(first + c) = Eigen::RowVector3d::Unit(c);
       rows.gap[first + c] = pair.gap[c];
-      rows.sigma[first + c] =
-          std::max({sigma, notch ? kNotchSigma : kMarginSigma, pair.deviation}) / std::sqrt(information);
+      rows.sigma[first + c] = std::hypot(
+          std::max({sigma, notch ? kNotchSigma : kMarginSigma, pair.deviation}) / std::sqrt(information),
+          own);
     }
   }
 }
@@ -83,12 +86,17 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
     rows.points.row(next) = at.point.transpose();
     rows.directions.row(next) = n.transpose();
     rows.gap[next] = n.dot(p - at.point);
-    const double apart = at.distance / noise.half;
+    const double own = cloud.deviation(i);
+    const double apart = at.distance / std::max(noise.half, 2.0 * own);
     outliers += apart > 1.0;
-    rows.sigma[next] = noise.sigma * std::sqrt(1.0 + apart * apart);
-    if (noise.information)
-      rows.sigma[next] /=
-          std::sqrt(*noise.information * std::max(kLeastWeight, cloud.weight[static_cast<std::size_t>(i)]));
+    const double deviation =
+        noise.information
+            ? std::hypot(
+                  noise.sigma / std::sqrt(*noise.information *
+                                          std::max(kLeastWeight, cloud.weight[static_cast<std::size_t>(i)])),
+                  own)
+            : std::max(noise.sigma, own);
+    rows.sigma[next] = deviation * std::sqrt(1.0 + apart * apart);
     ++next;
   }
   resize(rows, next);

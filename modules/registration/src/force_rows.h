@@ -35,7 +35,9 @@ struct ForceRows {
   Eigen::MatrixXd along(const fem::NodalColumns& columns) const;
 };
 
-/// How far a point of the cloud may lie from the model.
+/// How far a point of the cloud may lie from the model, besides what the cloud itself says of the point
+/// (PreparedCloud::deviation). That counts instead where it is more than `sigma`; with `information`, where
+/// `sigma` is an error that neighbours share, it is added to it, since neighbours do not share it.
 struct RowNoise {
   double sigma = 3e-3;  ///< of surface points across the surface, m
   double half = 6e-3;   ///< distance at which a surface point's weight is a half, m

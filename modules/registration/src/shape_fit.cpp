@@ -128,9 +128,15 @@ class ShapeFitter {
     return share(pair) * inverse_square(options_.sigma_surface);
   }
 
-  /// For how many independent points a pair counts.
+  /// For how many independent points a pair counts. What the cloud says of the point's own error is no error
+  /// that neighbours share: with v = sigma^2 / share the variance is v + own^2, that of share v / (v +
+  /// own^2).
   double share(const Pair& pair) const {
-    return cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+    const double share = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+    const double sigma = pair.feature == Feature::surface ? options_.sigma_surface
+                                                          : std::max(options_.sigma_margin, pair.deviation);
+    const double own = cloud_.deviation(pair.point) / sigma;
+    return share / (1.0 + share * own * own);
   }
 
   /// A pair's gap in standard deviations, squared.

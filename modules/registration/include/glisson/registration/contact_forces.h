@@ -30,7 +30,8 @@ struct ContactForceOptions {
   /// Standard deviations of the cloud across the surface, stage by stage. The stage under which the cloud is
   /// most probable is the last: the noise is not known. Without a prior it goes on while it moves by more
   /// than its deviation and becomes more probable, five stages at most; and a law that was still moving
-  /// begins again where the most probable one has ended.
+  /// begins again where the most probable one has ended. Where the cloud tells deviations of its points these
+  /// are the least.
   std::vector<double> sigmas{8e-3, 4e-3, 2e-3, 1e-3, 0.5e-3};
   /// Independent information in what the reference density's one point stands for (ShapeFitOptions): the
   /// error of a patient's surface is shared by neighbours. Empty: each point of the cloud is independent.

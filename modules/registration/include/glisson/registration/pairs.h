@@ -21,6 +21,12 @@ struct PreparedCloud {
   std::vector<std::vector<int>> neighbours;
   /// How many points show the notch, in each look: together they are one mark.
   std::vector<int> notch_points;
+
+  /// What the cloud itself says of point i's error (LabelledCloud::sigma), m: as much across the surface as
+  /// along the ray, which it is at most. 0: it says nothing.
+  double deviation(int i) const {
+    return cloud.sigma.empty() ? 0.0 : cloud.sigma[static_cast<std::size_t>(i)];
+  }
 };
 
 /// Fewer points than this register nothing; nor do fewer of the surface among them.
