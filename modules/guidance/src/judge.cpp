@@ -12,6 +12,7 @@
 #include "glisson/core/error.h"
 #include "motion_check.h"
 #include "picture_check.h"
+#include "standing_parts.h"
 #include "surface_check.h"
 
 namespace glisson::guidance {
@@ -54,7 +55,7 @@ void JudgeOptions::validate() const {
 
 struct Judge::Impl {
   Impl(const PatientModel& model, const StereoRig& given_rig, const Picture& mask, const JudgeOptions& given)
-      : options(given), rig(given_rig), surface(model, rig, mask) {
+      : options(given), rig(given_rig), surface(model, rig, mask), parts(rig) {
     options.validate();
   }
   ~Impl() {
@@ -72,6 +73,7 @@ struct Judge::Impl {
     is_misplaced = false;
     motion = {};
     noise = {};
+    parts = StandingParts(rig);
     left_signal = signal_at_start(first.left, options.least_signal);
     right_signal = signal_at_start(first.right, options.least_signal);
     shape = nodes;
@@ -83,7 +85,7 @@ struct Judge::Impl {
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
     poor.set(measured_contrast(first) < options.contrast);
-    for (Alarm* alarm : {&stands, &views, &repeated, &not_alive, &copies}) alarm->set(false);
+    for (Alarm* alarm : {&stands, &views, &repeated, &not_alive, &copies, &part_stands}) alarm->set(false);
     evidence.judged = true;
   }
 
@@ -131,7 +133,7 @@ struct Judge::Impl {
     const SurfaceEvidence seen = pending.get();
     take(seen);
     // Nothing hides the organ, both views show this moment, and it was found: what is seen is its tissue.
-    const bool is_now = !stands.stands() && !copies.stands() && !views.stands();
+    const bool is_now = !shows_old() && !stands.stands() && !views.stands();
     if (!undecided && !poor.stands() && is_now) tissue.add(seen.tissue);
     if (!is_silent()) {
       apart.push(apartness(), 1.0, options.relief);
@@ -175,6 +177,8 @@ struct Judge::Impl {
   void look_at_motion(const StereoFrame& frame, const std::vector<FollowedPoint>& points) {
     motion.push(points, rig, frame.seconds);
     noise.push(frame, clock);
+    parts.push(frame, points, clock);
+    part_stands.push(parts.any() ? 1.0 : 0.0, 1.0, options.relief, clock.passed());
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
     const double across = std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter());
@@ -201,10 +205,14 @@ struct Judge::Impl {
     copies.push(options.repeated / std::max(evidence.fresh, 1e-6), 1.0, options.relief, clock.passed());
   }
 
+  /// The picture, or a part of it, is one of before.
+  bool shows_old() const {
+    return (stands.stands() && repeated.stands()) || copies.stands() || part_stands.stands();
+  }
   bool refutes() const { return apart.stands() || is_misplaced; }
   Validity verdict() const {
     if (views.stands()) return Validity::views_apart;
-    if ((stands.stands() && repeated.stands()) || copies.stands()) return Validity::picture_stands;
+    if (shows_old()) return Validity::picture_stands;
     if (refutes()) return Validity::surface_apart;
     if (stands.stands() && not_alive.stands()) return Validity::picture_still;
     if (poor.stands()) return Validity::poor_picture;
@@ -216,6 +224,7 @@ struct Judge::Impl {
   SurfaceCheck surface;
   MotionCheck motion;
   FreshNoise noise;
+  StandingParts parts;
   Evidence evidence;
   double first_supported = 0.0, left_signal = 0.0, right_signal = 0.0;
   Points shape;                                  ///< tissue is kept in it
@@ -227,7 +236,8 @@ struct Judge::Impl {
   int looks = 0;           ///< surfaces since it was set elsewhere
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4};  ///< by measurements
   /// By seconds. A picture that stands is a copy, or may be one.
-  Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2}, copies{0.0, 0.2};
+  Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2}, copies{0.0, 0.2},
+      part_stands{0.0, 0.2};
   bool is_misplaced = false;     ///< by the mean, which needs no more patience
   std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;
