@@ -25,8 +25,8 @@ void check_rig(const std::string& file, const StereoRig& rig);
 /// @throws InputError "file: field: ..." no camera matrix, or a principal point outside the image.
 void check_camera(const std::string& file, const std::string& field, const Camera& camera);
 
-/// The camera without its skew (row 1, column 2), which the following of points and the finding of places again
-/// (OpenCV) do not know: a camera has none anywhere in the program.
+/// The camera without its skew (row 1, column 2), which the following of points and the finding of places
+/// again (OpenCV) do not know: a camera has none anywhere in the program.
 /// @throws InputError "file: field: ..." a skew that moves a pixel of the picture by more than 0.1 pixels.
 Camera without_skew(const std::string& file, const std::string& field, Camera camera);
 
