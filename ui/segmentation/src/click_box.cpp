@@ -65,17 +65,15 @@ void ClickBox::tell(const engine::Outcome& outcome) {
     words_->setText(error_text(outcome.error));
   else if (outcome.status != engine::Status::done)
     words_->setText(tr("Not corrected."));
-  else if (figure("voxels_changed") > 0.0)
-    words_->setText(QStringList{tr("Corrected around the click: %1 ml, up to %2 mm from it.")
-                                    .arg(figure("changed_ml"), 0, 'f', 1)
-                                    .arg(qRound(figure("reach_mm"))),
-                                notes_text(outcome.notes)}
-                        .join(QLatin1Char('\n'))
-                        .trimmed());
   else if (!outcome.notes.empty())
     words_->setText(notes_text(outcome.notes));
+  else if (figure("voxels_changed") > 0.0)
+    words_->setText(tr("Corrected around the click: %1 ml, up to %2 mm from it.")
+                        .arg(figure("changed_ml"), 0, 'f', 1)
+                        .arg(qRound(figure("reach_mm"))));
   else
     words_->setText(tr("The labels say already what the click says."));
+  words_->setToolTip(words_->text());  // where a note is longer than the room for it
 }
 
 }  // namespace glisson::ui
