@@ -76,10 +76,6 @@ void each_voxel(const Field& grid, const Visit& visit) {
       for (int i = 0; i < grid.size.x(); ++i, ++at) visit(Eigen::Vector3i(i, j, k), at);
 }
 
-bool is_among(const std::vector<Label>& labels, Label label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
-
 /// What is locked, and what lies beside the liver under a name of its own.
 Mask fixed_of(const LabelMap& labels, const std::vector<Label>& locked, const Field& grid) {
   const auto is_fixed = [&](Label label) {
@@ -296,10 +292,7 @@ Cancellable<CorrectedAround> correct_around(const Image& image, const LabelMap& 
   // The CT's voxels at the click must change even if the coarse voxel around it is on the right side already.
   changed->voxels[scene.ct.offset(scene.click)] = 1;
   paint(scene, *changed, click, locked, result);
-  if (click.is_liver && result.voxels_changed > 0 &&
-      std::none_of(result.labels.infos.begin(), result.labels.infos.end(),
-                   [](const LabelInfo& info) { return info.code == structure::kParenchyma; }))
-    result.labels.infos.push_back(structure_info(structure::kParenchyma));
+  if (click.is_liver && result.voxels_changed > 0) name_structure(structure::kParenchyma, result.labels);
   context.progress(1.0, "segmentation.around");
   return result;
 }

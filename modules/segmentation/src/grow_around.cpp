@@ -17,10 +17,6 @@ constexpr double kBeside = 14.0;       // mm beyond a lesion's reach, where the 
 
 std::size_t number_of(Label lesion) { return static_cast<std::size_t>(lesion - structure::kFirstLesion); }
 
-bool is_among(const std::vector<Label>& labels, Label label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
-
 const Points& clicks_of(const Seeds& seeds, Label structure) {
   static const PointsIn<CtFrame> kNone(0, 3);
   if (structure == structure::kPortalVein) return seeds.portal_vein;
@@ -94,12 +90,6 @@ void paste(const LabelMap& found, const VoxelBox& box, const StructureClick& cli
       }
 }
 
-void name(Label structure, LabelMap& labels) {
-  if (std::none_of(labels.infos.begin(), labels.infos.end(),
-                   [&](const LabelInfo& info) { return info.code == structure; }))
-    labels.infos.push_back(structure_info(structure));
-}
-
 }  // namespace
 
 bool grows_around(Label structure) {
@@ -150,7 +140,7 @@ Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& lab
   const std::vector<long> counts = found->labels.voxels.histogram();
   if (click.structure >= counts.size() || counts[click.structure] == 0) return result;
   paste(found->labels, box, click, result);
-  if (result.voxels_changed > 0) name(click.structure, result.labels);
+  if (result.voxels_changed > 0) name_structure(click.structure, result.labels);
   return result;
 }
 

@@ -51,6 +51,16 @@ bool is_in(const std::optional<Eigen::AlignedBox3d>& region, const VolumeGrid& g
          region->squaredExteriorDistance(grid.p_in_ct(voxel.cast<double>()).xyz) <= kRounding * kRounding;
 }
 
+bool is_among(const std::vector<Label>& labels, Label label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
+void name_structure(Label structure, LabelMap& labels) {
+  if (std::none_of(labels.infos.begin(), labels.infos.end(),
+                   [&](const LabelInfo& info) { return info.code == structure; }))
+    labels.infos.push_back(structure_info(structure));
+}
+
 Image part_of(const Image& image, const VoxelBox& box) {
   if (box.size() == image.grid.size) return image;
   Image part = image;

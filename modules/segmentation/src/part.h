@@ -32,6 +32,10 @@ std::optional<Eigen::Vector3i> voxel_in(const VolumeGrid& part,
                                         const std::optional<Eigen::AlignedBox3d>& region,
                                         const Eigen::Vector3d& p_in_ct);
 
+bool is_among(const std::vector<Label>& labels, Label label);
+/// Adds the structure's name to the labels' where it is not there.
+void name_structure(Label structure, LabelMap& labels);
+
 Image part_of(const Image& image, const VoxelBox& box);
 LabelMap part_of(const LabelMap& labels, const VoxelBox& box);
 /// The seeds that lie in the part; lesions keep their numbers.
