@@ -6571,6 +6571,38 @@
         <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
         <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
     </message>
+    <message>
+        <source>By its shape this liver fits the atlas clearly better with %1 exchanged. Check in the slices, or where the file comes from, that it lies on the patient&apos;s right and its dome towards the head. If not, correct the orientation in the file&apos;s header (surfaces: export them in LPS) and import it again.</source>
+        <translation>Ihrer Form nach passt diese Leber deutlich besser zum Atlas, wenn vertauscht ist: %1. Prüfen Sie in den Schichten oder dort, woher die Datei kommt, ob sie rechts im Patienten liegt und ihre Kuppel zum Kopf hin. Wenn nicht, berichtigen Sie die Orientierung im Kopf der Datei (Oberflächen: in LPS exportieren) und importieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation>links und rechts</translation>
+    </message>
+    <message>
+        <source>front and back</source>
+        <translation>vorn und hinten</translation>
+    </message>
+    <message>
+        <source>head and feet</source>
+        <translation>Kopf und Füße</translation>
+    </message>
+    <message>
+        <source>left and right, front and back (as between RAS and LPS)</source>
+        <translation>links und rechts, vorn und hinten (wie zwischen RAS und LPS)</translation>
+    </message>
+    <message>
+        <source>left and right, head and feet</source>
+        <translation>links und rechts, Kopf und Füße</translation>
+    </message>
+    <message>
+        <source>front and back, head and feet</source>
+        <translation>vorn und hinten, Kopf und Füße</translation>
+    </message>
+    <message>
+        <source>left and right, front and back, head and feet</source>
+        <translation>links und rechts, vorn und hinten, Kopf und Füße</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

@@ -6571,6 +6571,38 @@
         <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
         <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
     </message>
+    <message>
+        <source>By its shape this liver fits the atlas clearly better with %1 exchanged. Check in the slices, or where the file comes from, that it lies on the patient&apos;s right and its dome towards the head. If not, correct the orientation in the file&apos;s header (surfaces: export them in LPS) and import it again.</source>
+        <translation>D&apos;après sa forme, ce foie correspond nettement mieux à l&apos;atlas avec une inversion : %1. Vérifiez dans les coupes, ou à l&apos;origine du fichier, qu&apos;il est à droite du patient et son dôme vers la tête. Sinon, corrigez l&apos;orientation dans l&apos;en-tête du fichier (surfaces : exportez-les en LPS) et importez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation>gauche et droite</translation>
+    </message>
+    <message>
+        <source>front and back</source>
+        <translation>avant et arrière</translation>
+    </message>
+    <message>
+        <source>head and feet</source>
+        <translation>tête et pieds</translation>
+    </message>
+    <message>
+        <source>left and right, front and back (as between RAS and LPS)</source>
+        <translation>gauche et droite, avant et arrière (comme entre RAS et LPS)</translation>
+    </message>
+    <message>
+        <source>left and right, head and feet</source>
+        <translation>gauche et droite, tête et pieds</translation>
+    </message>
+    <message>
+        <source>front and back, head and feet</source>
+        <translation>avant et arrière, tête et pieds</translation>
+    </message>
+    <message>
+        <source>left and right, front and back, head and feet</source>
+        <translation>gauche et droite, avant et arrière, tête et pieds</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

@@ -18,6 +18,7 @@
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
+#include "glisson/ui/common/built_in_atlas.h"
 #include "model_argument.h"
 
 namespace glisson::app {
@@ -96,10 +97,11 @@ model::ModelOptions options_of(const Arguments& arguments) {
 void build_model(const Arguments& arguments, Session& session, const model::ModelOptions& options,
                  const LabelCodes& codes) {
   if (arguments.has("surfaces")) {
-    session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options});
+    session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options,
+                                        ui::built_in_atlas()});
   } else {
     if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
-    session.post(engine::BuildModel{options});
+    session.post(engine::BuildModel{options, ui::built_in_atlas()});
   }
 }
 

@@ -31,4 +31,12 @@ std::shared_ptr<const atlas::Atlas> built_in_atlas() {
   return kAtlas;
 }
 
+std::shared_ptr<const atlas::Atlas> built_in_atlas_if_any() {
+  try {
+    return built_in_atlas();
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
 }  // namespace glisson::ui

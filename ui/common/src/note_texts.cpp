@@ -74,6 +74,13 @@ class Notes {
         {"vessels.pieces_dropped",
          tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
         {"vessels.pieces", tr("%1: separate trees in the model: %2.")},
+        {"liver.axes_exchanged",
+         tr("By its shape this liver fits the atlas clearly better with %1 exchanged. Check in the slices, "
+            "or "
+            "where the file comes from, that it lies on the patient's right and its dome towards the head. "
+            "If "
+            "not, correct the orientation in the file's header (surfaces: export them in LPS) and import it "
+            "again.")},
         {"vessels.branches_pruned",
          tr("Thin side branches left out of the vessel model: %1 (%3 mm together).")},
         {"vessels.pruned_radius_mm", tr("The thickest of them has a radius of %1 mm.")},
@@ -289,6 +296,16 @@ class Notes {
                         "diameter.")},
         {".under_surface",
          tr("%1 comes within %2 mm of the liver's surface, where the CT does not show its border: whether "
+  /// Of atlas::orientation_doubts(): what is exchanged.
+  static QHash<QString, QString> axes() {
+    return {{"left_right", tr("left and right")},
+            {"front_back", tr("front and back")},
+            {"head_feet", tr("head and feet")},
+            {"left_right+front_back", tr("left and right, front and back (as between RAS and LPS)")},
+            {"left_right+head_feet", tr("left and right, head and feet")},
+            {"front_back+head_feet", tr("front and back, head and feet")},
+            {"left_right+front_back+head_feet", tr("left and right, front and back, head and feet")}};
+  }
             "liver covers it is not known. Check it in the slices.")},
         {".as_drawn", tr("%1: no border was found where its diameter was drawn. It is a ball of that "
                          "diameter: check it "
@@ -329,6 +346,7 @@ QString note_text(std::string_view note) {
                                  .split(QRegularExpression(QStringLiteral("[ :]")));
   const QString& code = tokens.front();
   const auto sentences = Notes::sentences();
+  if (const QString axes = Notes::axes().value(token); !axes.isEmpty()) return axes;
   if (const auto known = sentences.find(code); known != sentences.end()) {
     QString text = *known;
     if (text.contains(QLatin1String("%*")))

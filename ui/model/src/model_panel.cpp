@@ -18,6 +18,7 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/model/tissue_box.h"
 #include "glisson/ui/scene/model_surfaces.h"
@@ -112,7 +113,13 @@ void ModelPanel::build_options() {
   review_->setObjectName(QStringLiteral("build_review"));
   build->addWidget(review_);
   run_ = new TaskButton(
-      engine(), tr("Build model"), [this] { return engine::Command(command()); }, this);
+      engine(), tr("Build model"),
+      [this] {
+        engine::BuildModel checked = command();
+        checked.atlas = built_in_atlas_if_any();
+        return engine::Command(std::move(checked));
+      },
+      this);
   run_->setObjectName(QStringLiteral("build_model"));
   build->addWidget(run_);
   auto* import = new QPushButton(tr("From surfaces…"), this);
@@ -223,6 +230,7 @@ void ModelPanel::import_surfaces(const QString& path) {
   engine::ImportSurfaces command;
   command.path = path.toStdString();
   command.options = this->command().options;
+  command.atlas = built_in_atlas_if_any();
   engine().post(command);
 }
 

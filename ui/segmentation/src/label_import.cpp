@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "glisson/engine/commands/import_labels.h"
+#include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/volume/dicom_segmentation.h"
 
 namespace glisson::ui {
@@ -48,7 +49,7 @@ void LabelImport::ask(const std::filesystem::path& path, const FoundLabels& foun
 }
 
 void LabelImport::post(const std::filesystem::path& path, const LabelCodes& codes) {
-  engine_.post(engine::ImportLabels{path, codes});
+  engine_.post(engine::ImportLabels{path, codes, built_in_atlas_if_any()});
 }
 
 }  // namespace glisson::ui

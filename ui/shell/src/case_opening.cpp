@@ -12,6 +12,7 @@
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/model_source.h"
+#include "glisson/ui/common/built_in_atlas.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +38,7 @@ engine::Command mesh_import(const fs::path& path) {
   } catch (const Error&) {
   }
   if (tetrahedra) return engine::ImportMesh{path, LengthUnit::millimetre};
-  return engine::ImportSurfaces{path, LengthUnit::millimetre, {}};
+  return engine::ImportSurfaces{path, LengthUnit::millimetre, {}, built_in_atlas_if_any()};
 }
 
 bool holds_surfaces(const fs::path& folder) {
@@ -62,7 +63,8 @@ std::optional<Opening> opening_of(const fs::path& given) {
   std::error_code problem;
   if (engine::is_case(path)) return a_case(path);
   if (fs::is_directory(path, problem)) {
-    if (holds_surfaces(path)) return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}});
+    if (holds_surfaces(path))
+      return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}, built_in_atlas_if_any()});
     return image;
   }
   if (name == "case.json") return a_case(path.parent_path());

@@ -5,6 +5,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/review.h"
 #include "model_figures.h"
+#include "orientation_note.h"
 
 namespace glisson::engine {
 
@@ -13,8 +14,8 @@ CommandTraits BuildModel::traits() const {
 }
 
 Cancellable<Applied> BuildModel::apply(const CaseState& state, const RunContext& context) const {
-  auto built = model::build_from_labels(*state[part::labels], options, context);
-  if (!built) return {};
+  auto built = model::build_from_labels(*state[part::labels], options, context.part(0.0, 0.95));
+  if (!built || !note_orientation(atlas.get(), *built, context.part(0.95, 1.0))) return {};
   Applied applied = with_model(state, std::move(*built));
   // Not in the model's own notes: a label may be approved later.
   for (std::string& note : unapproved_notes(state)) applied.notes.push_back(std::move(note));

@@ -9,10 +9,12 @@
 
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/patient/segment_meaning.h"
 #include "glisson/volume/dicom_segmentation.h"
 #include "label_steps.h"
+#include "orientation_note.h"
 
 namespace glisson::engine {
 namespace {
@@ -161,6 +163,12 @@ LabelMap labels_of(const Read& read, const std::string& path) {
   return {read.file.voxels, read.file.infos};
 }
 
+void require_parenchyma(const Figures& figures, const std::filesystem::path& path) {
+  if (!figures.contains("label_parenchyma_ml"))
+    throw InputError(path.string(), "labels", "none of them is the liver's parenchyma",
+                     "Say which code means what with --codes FILE (see 'glisson model --help')");
+}
+
 }  // namespace
 
 CommandTraits ImportLabels::traits() const {
@@ -178,9 +186,10 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   replace_labels(applied.state, labels_of(file, path.string()), {kImportStep, 0, 0.0});
   put_review(applied.state, review_in(file.file, file.meanings));
   report_labels(applied.state, applied.figures);
-  if (!applied.figures.contains("label_parenchyma_ml"))
-    throw InputError(path.string(), "labels", "none of them is the liver's parenchyma",
-                     "Say which code means what with --codes FILE (see 'glisson model --help')");
+  require_parenchyma(applied.figures, path);
+  auto notes = orientation_notes(atlas.get(), *applied.state[part::labels], context.part(0.5, 1.0));
+  if (!notes) return {};
+  applied.notes.insert(applied.notes.end(), notes->begin(), notes->end());
   return applied;
 }
 

@@ -3,6 +3,7 @@
 
 #include "glisson/engine/parts/model.h"
 #include "model_figures.h"
+#include "orientation_note.h"
 
 namespace glisson::engine {
 
@@ -12,8 +13,8 @@ CommandTraits ImportSurfaces::traits() const {
 
 Cancellable<Applied> ImportSurfaces::apply(const CaseState& state, const RunContext& context) const {
   const model::SurfaceSet surfaces = model::read_surfaces(path, unit);
-  auto built = model::build_from_surfaces(surfaces, options, context);
-  if (!built) return {};
+  auto built = model::build_from_surfaces(surfaces, options, context.part(0.0, 0.95));
+  if (!built || !note_orientation(atlas.get(), *built, context.part(0.95, 1.0))) return {};
   return with_model(state, std::move(*built));
 }
 

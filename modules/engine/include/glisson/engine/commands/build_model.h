@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
+#include "glisson/atlas/atlas.h"
 #include "glisson/engine/command.h"
 #include "glisson/model/build.h"
 
@@ -10,6 +13,8 @@ namespace glisson::engine {
 /// model::build_from_labels().
 struct BuildModel {
   model::ModelOptions options;
+  /// The liver's shape is held against it, so that a mirrored one is told; null: it is not asked.
+  std::shared_ptr<const atlas::Atlas> atlas = nullptr;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
+#include "glisson/atlas/atlas.h"
 #include "glisson/engine/command.h"
 #include "glisson/patient/label_map.h"
 
@@ -12,6 +14,8 @@ namespace glisson::engine {
 struct ImportLabels {
   std::filesystem::path path;
   LabelCodes codes;
+  /// The liver's shape is held against it, so that a mirrored one is told; null: it is not asked.
+  std::shared_ptr<const atlas::Atlas> atlas = nullptr;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
+#include "glisson/atlas/atlas.h"
 #include "glisson/core/units.h"
 #include "glisson/engine/command.h"
 #include "glisson/model/build.h"
@@ -14,6 +16,8 @@ struct ImportSurfaces {
   std::filesystem::path path;
   LengthUnit unit = LengthUnit::millimetre;
   model::ModelOptions options;
+  /// The liver's shape is held against it, so that a mirrored one is told; null: it is not asked.
+  std::shared_ptr<const atlas::Atlas> atlas = nullptr;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A liver without any other organ that is mirrored or upside down is told where it comes in: as labels, as a
+// surface, and when its model is built.
+#include <QTest>
+#include <algorithm>
+
+#include "atlas_cases.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/insilico/liver_population.h"
+#include "glisson/insilico/patient.h"
+#include "glisson/volume/io.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+namespace {
+
+/// The liver of a synthetic patient alone. @param turned_round axes of the grid along which its voxels are in
+/// the other order, as in a file whose header says so.
+LabelMap liver_alone(const LabelMap& truth, const Eigen::Array3i& turned_round) {
+  const std::vector<std::uint8_t> liver = inside_liver(truth);
+  const VolumeGrid& grid = truth.voxels.grid();
+  LabelMap map{LabelVolume(grid), {structure_info(structure::kParenchyma)}};
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Array3i v(i, j, k);
+        if (liver[static_cast<std::size_t>(grid.offset(v))] != 0)
+          map.voxels.set((turned_round > 0).select(grid.size.array() - 1 - v, v), structure::kParenchyma);
+      }
+  return map;
+}
+
+std::string told(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    if (note.starts_with("liver.axes_exchanged ")) return note.substr(21);
+  return {};
+}
+
+model::ModelOptions coarse() {
+  model::ModelOptions options;
+  options.mesh.target_vertices = 150;
+  options.vessels = false;
+  return options;
+}
+
+}  // namespace
+
+class OrientationNoteTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase() {
+    insilico::PatientOptions options;
+    options.spacing_mm = {4.0, 4.0, 4.0};
+    truth_ = insilico::make_patient(options, RunContext())->truth;
+    atlas_ = test::built_in_atlas();
+  }
+  void labelsAreTold_data() {
+    QTest::addColumn<int>("axis");
+    QTest::addColumn<QString>("wanted");
+    QTest::newRow("as it is") << -1 << "";
+    QTest::newRow("mirrored") << 0 << "left_right";
+    QTest::newRow("upside down") << 2 << "head_feet";
+  }
+  void labelsAreTold() {
+    QFETCH(const int, axis);
+    QFETCH(const QString, wanted);
+    Eigen::Array3i turned_round(0, 0, 0);
+    if (axis >= 0) turned_round[axis] = 1;
+    const LabelMap liver = liver_alone(truth_, turned_round);
+    TemporaryFolder folder;
+    write_labels(folder.path() / "liver.seg.nrrd", liver.voxels, liver.infos);
+    const ImportLabels import{folder.path() / "liver.seg.nrrd", {}, atlas_};
+    const auto imported = import.apply(CaseState(), RunContext());
+    QCOMPARE(told(imported->notes), wanted.toStdString());
+    const auto built = BuildModel{coarse(), atlas_}.apply(imported->state, RunContext());
+    QCOMPARE(told(built->notes), wanted.toStdString());
+    // It stays with the model.
+    QCOMPARE(told(built->state[part::model]->report.notes), wanted.toStdString());
+  }
+  void surfacesAreTold() {
+    TriangleMesh liver = insilico::population_liver(4711, 4.0).surface;
+    TemporaryFolder folder;
+    const auto note = [&] {
+      write_triangle_mesh(folder.path() / "liver.stl", liver, LengthUnit::millimetre);
+      const ImportSurfaces import{folder.path() / "liver.stl", LengthUnit::millimetre, coarse(), atlas_};
+      return told(import.apply(CaseState(), RunContext())->notes);
+    };
+    QCOMPARE(note(), std::string());
+    liver.vertices.leftCols(2) *= -1.0;  // RAS
+    QCOMPARE(note(), std::string("left_right+front_back"));
+  }
+
+ private:
+  LabelMap truth_;
+  std::shared_ptr<const atlas::Atlas> atlas_;
+};
+
+QTEST_APPLESS_MAIN(OrientationNoteTest)
+#include "orientation_note_test.moc"
