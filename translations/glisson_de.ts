@@ -2871,6 +2871,14 @@
         <translation>Lesen Sie sie in %1</translation>
     </message>
     <message>
+        <source>If it is in inches, enlarge it 25.4 times where it was made, and read it in mm</source>
+        <translation>Ist sie in Zoll, vergrößern Sie sie in dem Programm, das sie gemacht hat, 25,4-fach, und lesen Sie sie in mm</translation>
+    </message>
+    <message>
+        <source>Read it in %1; if it is in inches, enlarge it 25.4 times where it was made, and read it in mm</source>
+        <translation>Lesen Sie sie in %1; ist sie in Zoll, vergrößern Sie sie in dem Programm, das sie gemacht hat, 25,4-fach, und lesen Sie sie in mm</translation>
+    </message>
+    <message>
         <source>cannot be followed: %1</source>
         <translation>kann nicht verfolgt werden: %1</translation>
     </message>

@@ -2871,6 +2871,14 @@
         <translation>Lisez-le en %1</translation>
     </message>
     <message>
+        <source>If it is in inches, enlarge it 25.4 times where it was made, and read it in mm</source>
+        <translation>S&apos;il est en pouces, agrandissez-le 25,4 fois dans le programme qui l&apos;a fait, et lisez-le en mm</translation>
+    </message>
+    <message>
+        <source>Read it in %1; if it is in inches, enlarge it 25.4 times where it was made, and read it in mm</source>
+        <translation>Lisez-le en %1 ; s&apos;il est en pouces, agrandissez-le 25,4 fois dans le programme qui l&apos;a fait, et lisez-le en mm</translation>
+    </message>
+    <message>
         <source>cannot be followed: %1</source>
         <translation>ne peut pas être suivi : %1</translation>
     </message>

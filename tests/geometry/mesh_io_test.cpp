@@ -2,12 +2,14 @@
 #include "glisson/geometry/mesh_io.h"
 
 #include <QTest>
+#include <cmath>
 
 #include "complaint.h"
 #include "data_folder.h"
 #include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/geometry/liver_size.h"
 #include "mesh_files.h"
 
 using namespace glisson;
@@ -32,6 +34,7 @@ class MeshIoTest : public QObject {
   void NodeListNamesTheBadLine();
   void NodeNumbersBeyondTheMeshAreRefused();
   void LiverOf150MetresIsRefusedWithTheUnit();
+  void InchesAreNotTakenForCentimetres();
   void FailedWriteLeavesTheOldFile();
   void ADiskThatFillsUpLeavesTheOldFile_data();
   void ADiskThatFillsUpLeavesTheOldFile();
@@ -222,6 +225,25 @@ void MeshIoTest::LiverOf150MetresIsRefusedWithTheUnit() {
             check_liver_size(1e-9 * box, LengthUnit::millimetre, "x");
           }).find("no usual unit") != std::string::npos);
   QVERIFY(plausible_liver_size(1e-3 * box));
+}
+
+/// By its diagonal a liver in inches may be one in centimetres; by its volume it is none.
+void MeshIoTest::InchesAreNotTakenForCentimetres() {
+  // 25 x 15 x 14 cm, half of its box full, in inches that were read as millimetres.
+  const Eigen::Vector3d sides = Eigen::Vector3d(0.25, 0.15, 0.14) / 25.4;
+  Points box(2, 3);
+  box << Eigen::RowVector3d::Zero(), sides.transpose();
+  const auto told = [&](double scale, std::optional<double> volume) {
+    return complaint([&] { check_liver_size(scale * box, LengthUnit::millimetre, "l.stl", volume); });
+  };
+  const double held = 0.5 * sides.prod();
+  QVERIFY(told(1.0, held).find("If it is in inches") != std::string::npos);
+  QVERIFY(told(1.0, held).find("in cm") == std::string::npos);
+  QVERIFY(told(1.0, {}).find("Read it in cm; if it is in inches") != std::string::npos);
+  // The same liver in centimetres.
+  QVERIFY(told(2.54, held * std::pow(2.54, 3)).ends_with("Read it in cm."));
+  // A shell of hardly any volume is no liver in any unit.
+  QVERIFY(told(1.0, 1e-3 * held).find("no usual unit") != std::string::npos);
 }
 
 void MeshIoTest::FailedWriteLeavesTheOldFile() {

@@ -139,6 +139,13 @@ void SurfacesTest::WrongUnitIsRefusedWithTheRightOne() {
   QVERIFY(complaint(folder.path(), LengthUnit::metre).find("Read it in mm") != std::string::npos);
   QVERIFY(complaint(folder.path() / "liver.vtk", LengthUnit::centimetre).find("Read it in mm") !=
           std::string::npos);
+  // 70 mm of radius in inches hold 1437 ml, in centimetres 88.
+  TriangleMesh inches = kLiver;
+  inches.vertices /= 25.4;
+  save(folder.path() / "liver.vtk", inches);
+  const std::string told = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY2(told.find("If it is in inches") != std::string::npos && told.find("in cm") == std::string::npos,
+           told.c_str());
 }
 
 void SurfacesTest::FolderWithoutLiverIsRefused() {

@@ -6,6 +6,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/geometry/liver_size.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/geometry/vtk_xml_file.h"
 #include "mesh_io_cells.h"
@@ -17,6 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSmallestLiver = 0.08, kLargestLiver = 0.6;  // metres, diagonal of the box
+constexpr double kLeastVolume = 200e-6, kMostVolume = 8e-3;   // m3, of livers that no one has to doubt
+constexpr double kInch = 0.0254;                              // metres
 
 bool is_vtk_format(const std::string& extension) {
   return extension == ".vtk" || extension == ".vtu" || extension == ".vtp";
@@ -234,16 +237,32 @@ bool plausible(double metres) { return metres >= kSmallestLiver && metres <= kLa
 bool plausible_liver_size(const Points& points) { return plausible(box_diagonal(points)); }
 
 void check_liver_size(const Points& points, LengthUnit unit, const std::string& name) {
+  check_liver_size(points, unit, name, {});
+}
+
+void check_liver_size(const Points& points, LengthUnit unit, const std::string& name,
+                      std::optional<double> volume) {
   const double diagonal = box_diagonal(points);
   if (plausible(diagonal)) return;
   char problem[160];
   std::snprintf(problem, sizeof problem,
                 "measures %.4g m across when read in %s, and a liver measures 0.08 to 0.6 m", diagonal,
                 unit_code(unit));
-  std::string remedy = "Check what the file holds; no usual unit makes a liver of it";
-  for (const LengthUnit other : {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre})
-    if (plausible(diagonal / metres_per(unit) * metres_per(other)))
-      remedy = std::string("Read it in ") + unit_code(other);
+  const auto makes_a_liver = [&](double metres) {
+    const double scale = metres / metres_per(unit);
+    const double held = volume.value_or(0.0) * scale * scale * scale;
+    return plausible(scale * diagonal) && (!volume || (held >= kLeastVolume && held <= kMostVolume));
+  };
+  const bool perhaps_inches = makes_a_liver(kInch);
+  std::string remedy = perhaps_inches
+                           ? "If it is in inches, enlarge it 25.4 times where it was made, and read it in mm"
+                           : "Check what the file holds; no usual unit makes a liver of it";
+  for (const LengthUnit other : kLengthUnits)
+    if (makes_a_liver(metres_per(other)))
+      remedy =
+          std::string("Read it in ") + unit_code(other) +
+          (perhaps_inches ? "; if it is in inches, enlarge it 25.4 times where it was made, and read it in mm"
+                          : "");
   throw InputError(name, "size", problem, remedy);
 }
 

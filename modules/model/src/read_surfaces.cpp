@@ -14,6 +14,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/geometry/liver_size.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/model/build.h"
@@ -154,6 +155,13 @@ double enclosed(const TriangleMesh& mesh) {
   return sum;
 }
 
+/// None where the largest piece is open.
+std::optional<double> closed_volume(const TriangleMesh& mesh) {
+  const std::vector<TriangleMesh> pieces = split_components(mesh);
+  if (pieces.empty() || !is_closed(pieces.front())) return {};
+  return std::abs(volume(pieces.front()));
+}
+
 double diagonal(const TriangleMesh& mesh) {
   return (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).norm();
 }
@@ -264,7 +272,7 @@ SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std
              "Keep one of them");
     liver_file = source.file;
     set.liver = read_structure(source);
-    check_liver_size(set.liver.vertices, source.unit, source.file.string());
+    check_liver_size(set.liver.vertices, source.unit, source.file.string(), closed_volume(set.liver));
     require_closed(source.file, set.liver);
   }
   if (liver_file.empty())

@@ -185,6 +185,11 @@ const std::vector<const char*>& model_remedies() {
                         "Write {\"edit\": \"prune\", \"at\": [x, y, z]} in millimetres (LPS)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose another one"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check what the file holds; no usual unit makes a liver of it"),
+      QT_TRANSLATE_NOOP(
+          "ErrorPhrases",
+          "Read it in %1; if it is in inches, enlarge it 25.4 times where it was made, and read it in mm"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "If it is in inches, enlarge it 25.4 times where it was made, and read it in mm"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Read it in %1"),
   };
   return kPhrases;
