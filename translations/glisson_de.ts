@@ -6196,12 +6196,16 @@
         <translation>%1 % der Voxel sind genau 0: Das Volumen ist vielleicht abgeschnitten oder maskiert.</translation>
     </message>
     <message>
-        <source>Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT in Hounsfield units.</source>
-        <translation>Nur %1 % der Voxel haben die Hounsfield-Werte von Weichgewebe: Das Volumen ist vielleicht kein CT in Hounsfield-Einheiten.</translation>
+        <source>Only %1 % of the voxels have the Hounsfield units of soft tissue. Either this is no CT in Hounsfield units, or the scanner&apos;s rescale slope and intercept were lost on the way. Look at water and muscle in the slices (0 and 50 HU); if they are not so, export the CT again from its DICOM series.</source>
+        <translation>Nur %1 % der Voxel haben die Hounsfield-Werte von Weichgewebe. Entweder ist dies kein CT in Hounsfield-Einheiten, oder Skalierung und Achsenabschnitt (Rescale Slope und Intercept) des Scanners gingen unterwegs verloren. Sehen Sie in den Schichten nach Wasser und Muskel (0 und 50 HU); stimmt das nicht, exportieren Sie das CT neu aus seiner DICOM-Serie.</translation>
     </message>
     <message>
-        <source>Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.</source>
-        <translation>Kaum ein Voxel hat die Hounsfield-Werte von Luft: Der Achsenabschnitt (Intercept) des Scanners ist vielleicht verloren.</translation>
+        <source>Hardly a voxel has the Hounsfield units of air (%1 %). Either the CT was cropped to tissue, or the scanner&apos;s rescale intercept was lost on the way. Look at water and muscle in the slices (0 and 50 HU); if they are not so, export the CT again from its DICOM series.</source>
+        <translation>Kaum ein Voxel hat die Hounsfield-Werte von Luft (%1 %). Entweder wurde das CT auf Gewebe zugeschnitten, oder der Achsenabschnitt (Rescale Intercept) des Scanners ging unterwegs verloren. Sehen Sie in den Schichten nach Wasser und Muskel (0 und 50 HU); stimmt das nicht, exportieren Sie das CT neu aus seiner DICOM-Serie.</translation>
+    </message>
+    <message>
+        <source>Shifted by %1 HU the volume would hold air and soft tissue, as a CT does: the scanner&apos;s intercept was probably lost or added twice. Do not trust what is segmented from such values.</source>
+        <translation>Um %1 HU verschoben, enthielte das Volumen Luft und Weichgewebe wie ein CT: Der Achsenabschnitt (Intercept) des Scanners ging wahrscheinlich verloren oder wurde doppelt addiert. Vertrauen Sie dem nicht, was aus solchen Werten segmentiert wird.</translation>
     </message>
     <message>
         <source>The case was opened without its video: it names a source outside this computer, which only you may open. (%*)</source>
@@ -6330,6 +6334,10 @@
     <message>
         <source>Something denser than any bone, as metal is, lies in %1 slices of the liver or next to them: its streaks may have taken liver away or added to it. Check these slices.</source>
         <translation>Etwas, das dichter ist als jeder Knochen, wie Metall, liegt in %1 Schichten der Leber oder daneben: Seine Streifen haben vielleicht Leber weggenommen oder hinzugefügt. Prüfen Sie diese Schichten.</translation>
+    </message>
+    <message>
+        <source>The CT&apos;s values end at %1 HU, and something in %2 slices of the liver or next to them reaches that: nothing tells bone from metal, whose streaks may have taken liver away or added to it. Check these slices.</source>
+        <translation>Die Werte des CT enden bei %1 HU, und etwas in %2 Schichten der Leber oder daneben erreicht sie: Nichts unterscheidet Knochen von Metall, dessen Streifen vielleicht Leber weggenommen oder hinzugefügt haben. Prüfen Sie diese Schichten.</translation>
     </message>
     <message>
         <source>Points of the cloud that were there twice were left out: %1.</source>
@@ -6564,22 +6572,6 @@
         <translation>Die Leber liegt links von der Hohlvene: Links und rechts sind im Bild vielleicht vertauscht.</translation>
     </message>
     <message>
-        <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
-        <translation>%1 reicht so weit, wie ein Klick nach ihrem Rand sucht, und vielleicht weiter: Zeichnen Sie ihren Durchmesser.</translation>
-    </message>
-    <message>
-        <source>%1 comes within %2 mm of the liver&apos;s surface, where the CT does not show its border: whether liver covers it is not known. Check it in the slices.</source>
-        <translation>%1 kommt der Leberoberfläche auf weniger als %2 mm nahe, wo das CT ihren Rand nicht zeigt: Ob Leber sie bedeckt, ist nicht bekannt. Prüfen Sie sie in den Schichten.</translation>
-    </message>
-    <message>
-        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
-        <translation>Die Pfortader ist dort, wo sie angeklickt wurde, kaum heller als die Leber: In dieser Phase lässt sie sich nicht von ihr unterscheiden, und das meiste von ihr fehlt. Nehmen Sie die portalvenöse Phase.</translation>
-    </message>
-    <message>
-        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
-        <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
-    </message>
-    <message>
         <source>By its shape this liver fits the atlas clearly better with %1 exchanged. Check in the slices, or where the file comes from, that it lies on the patient&apos;s right and its dome towards the head. If not, correct the orientation in the file&apos;s header (surfaces: export them in LPS) and import it again.</source>
         <translation>Ihrer Form nach passt diese Leber deutlich besser zum Atlas, wenn vertauscht ist: %1. Prüfen Sie in den Schichten oder dort, woher die Datei kommt, ob sie rechts im Patienten liegt und ihre Kuppel zum Kopf hin. Wenn nicht, berichtigen Sie die Orientierung im Kopf der Datei (Oberflächen: in LPS exportieren) und importieren Sie sie neu.</translation>
     </message>
@@ -6610,6 +6602,22 @@
     <message>
         <source>left and right, front and back, head and feet</source>
         <translation>links und rechts, vorn und hinten, Kopf und Füße</translation>
+    </message>
+    <message>
+        <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
+        <translation>%1 reicht so weit, wie ein Klick nach ihrem Rand sucht, und vielleicht weiter: Zeichnen Sie ihren Durchmesser.</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 mm of the liver&apos;s surface, where the CT does not show its border: whether liver covers it is not known. Check it in the slices.</source>
+        <translation>%1 kommt der Leberoberfläche auf weniger als %2 mm nahe, wo das CT ihren Rand nicht zeigt: Ob Leber sie bedeckt, ist nicht bekannt. Prüfen Sie sie in den Schichten.</translation>
+    </message>
+    <message>
+        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
+        <translation>Die Pfortader ist dort, wo sie angeklickt wurde, kaum heller als die Leber: In dieser Phase lässt sie sich nicht von ihr unterscheiden, und das meiste von ihr fehlt. Nehmen Sie die portalvenöse Phase.</translation>
+    </message>
+    <message>
+        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
+        <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
     </message>
 </context>
 <context>

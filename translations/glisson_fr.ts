@@ -6196,12 +6196,16 @@
         <translation>%1 % des voxels valent exactement 0 : le volume est peut-être tronqué ou masqué.</translation>
     </message>
     <message>
-        <source>Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT in Hounsfield units.</source>
-        <translation>Seuls %1 % des voxels ont les unités Hounsfield de tissus mous : le volume n&apos;est peut-être pas un scanner en unités Hounsfield.</translation>
+        <source>Only %1 % of the voxels have the Hounsfield units of soft tissue. Either this is no CT in Hounsfield units, or the scanner&apos;s rescale slope and intercept were lost on the way. Look at water and muscle in the slices (0 and 50 HU); if they are not so, export the CT again from its DICOM series.</source>
+        <translation>Seulement %1 % des voxels ont les unités Hounsfield des tissus mous. Soit ce n&apos;est pas un scanner en unités Hounsfield, soit la pente et l&apos;ordonnée à l&apos;origine (rescale slope et intercept) du scanner ont été perdues en route. Regardez l&apos;eau et le muscle dans les coupes (0 et 50 HU) ; s&apos;ils n&apos;y sont pas, exportez de nouveau le scanner depuis sa série DICOM.</translation>
     </message>
     <message>
-        <source>Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.</source>
-        <translation>Presque aucun voxel n&apos;a les unités Hounsfield de l&apos;air : l&apos;ordonnée à l&apos;origine (intercept) du scanner est peut-être perdue.</translation>
+        <source>Hardly a voxel has the Hounsfield units of air (%1 %). Either the CT was cropped to tissue, or the scanner&apos;s rescale intercept was lost on the way. Look at water and muscle in the slices (0 and 50 HU); if they are not so, export the CT again from its DICOM series.</source>
+        <translation>Presque aucun voxel n&apos;a les unités Hounsfield de l&apos;air (%1 %). Soit le scanner a été recadré sur des tissus, soit l&apos;ordonnée à l&apos;origine (rescale intercept) du scanner a été perdue en route. Regardez l&apos;eau et le muscle dans les coupes (0 et 50 HU) ; s&apos;ils n&apos;y sont pas, exportez de nouveau le scanner depuis sa série DICOM.</translation>
+    </message>
+    <message>
+        <source>Shifted by %1 HU the volume would hold air and soft tissue, as a CT does: the scanner&apos;s intercept was probably lost or added twice. Do not trust what is segmented from such values.</source>
+        <translation>Décalé de %1 HU, le volume contiendrait de l&apos;air et des tissus mous, comme un scanner : l&apos;ordonnée à l&apos;origine (intercept) a sans doute été perdue ou ajoutée deux fois. Ne vous fiez pas à ce qui est segmenté de telles valeurs.</translation>
     </message>
     <message>
         <source>The case was opened without its video: it names a source outside this computer, which only you may open. (%*)</source>
@@ -6330,6 +6334,10 @@
     <message>
         <source>Something denser than any bone, as metal is, lies in %1 slices of the liver or next to them: its streaks may have taken liver away or added to it. Check these slices.</source>
         <translation>Quelque chose de plus dense que tout os, comme du métal, est dans %1 coupes du foie ou à côté : ses stries ont peut-être enlevé ou ajouté du foie. Vérifiez ces coupes.</translation>
+    </message>
+    <message>
+        <source>The CT&apos;s values end at %1 HU, and something in %2 slices of the liver or next to them reaches that: nothing tells bone from metal, whose streaks may have taken liver away or added to it. Check these slices.</source>
+        <translation>Les valeurs du scanner s&apos;arrêtent à %1 HU, et quelque chose les atteint dans %2 coupes du foie ou à côté : rien ne distingue l&apos;os du métal, dont les stries ont peut-être enlevé ou ajouté du foie. Vérifiez ces coupes.</translation>
     </message>
     <message>
         <source>Points of the cloud that were there twice were left out: %1.</source>
@@ -6564,22 +6572,6 @@
         <translation>Le foie est à gauche de la veine cave : gauche et droite sont peut-être inversées dans l&apos;image.</translation>
     </message>
     <message>
-        <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
-        <translation>%1 va aussi loin qu&apos;un clic cherche son bord, et peut-être plus loin : dessinez son diamètre.</translation>
-    </message>
-    <message>
-        <source>%1 comes within %2 mm of the liver&apos;s surface, where the CT does not show its border: whether liver covers it is not known. Check it in the slices.</source>
-        <translation>%1 arrive à moins de %2 mm de la surface du foie, là où le scanner ne montre pas son bord : on ne sait pas si du foie la recouvre. Vérifiez-la dans les coupes.</translation>
-    </message>
-    <message>
-        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
-        <translation>La veine porte est à peine plus claire que le foie là où elle a été cliquée : à cette phase, on ne peut l’en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
-    </message>
-    <message>
-        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
-        <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
-    </message>
-    <message>
         <source>By its shape this liver fits the atlas clearly better with %1 exchanged. Check in the slices, or where the file comes from, that it lies on the patient&apos;s right and its dome towards the head. If not, correct the orientation in the file&apos;s header (surfaces: export them in LPS) and import it again.</source>
         <translation>D&apos;après sa forme, ce foie correspond nettement mieux à l&apos;atlas avec une inversion : %1. Vérifiez dans les coupes, ou à l&apos;origine du fichier, qu&apos;il est à droite du patient et son dôme vers la tête. Sinon, corrigez l&apos;orientation dans l&apos;en-tête du fichier (surfaces : exportez-les en LPS) et importez-le de nouveau.</translation>
     </message>
@@ -6610,6 +6602,22 @@
     <message>
         <source>left and right, front and back, head and feet</source>
         <translation>gauche et droite, avant et arrière, tête et pieds</translation>
+    </message>
+    <message>
+        <source>%1 goes on as far as a click looks for its border, and perhaps farther: draw its diameter.</source>
+        <translation>%1 va aussi loin qu&apos;un clic cherche son bord, et peut-être plus loin : dessinez son diamètre.</translation>
+    </message>
+    <message>
+        <source>%1 comes within %2 mm of the liver&apos;s surface, where the CT does not show its border: whether liver covers it is not known. Check it in the slices.</source>
+        <translation>%1 arrive à moins de %2 mm de la surface du foie, là où le scanner ne montre pas son bord : on ne sait pas si du foie la recouvre. Vérifiez-la dans les coupes.</translation>
+    </message>
+    <message>
+        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
+        <translation>La veine porte est à peine plus claire que le foie là où elle a été cliquée : à cette phase, on ne peut l’en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
+    </message>
+    <message>
+        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
+        <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,8 @@ class PlausibilityTest : public QObject {
   void SizesThatAreNoAbdomensAreTold();
   void SlicesThatWereLostAreTold();
   void NumbersThatAreNoHounsfieldUnitsAreTold();
+  void ALostInterceptIsToldWithWhatSpeaksForIt();
+  void ACroppedCtIsToldNoShift();
   void RealScansAreNotDoubted();
 };
 
@@ -65,15 +67,10 @@ void PlausibilityTest::SlicesThatWereLostAreTold() {
 }
 
 void PlausibilityTest::NumbersThatAreNoHounsfieldUnitsAreTold() {
-  // Stored values whose intercept of -1024 was lost.
-  const Image stored = changed([](Image&, Values& v) {
-    for (std::int16_t& value : v) value = static_cast<std::int16_t>(value + 1024);
-  });
-  QCOMPARE(image_doubts(stored), Doubts{"image.no_air 0"});
   const Image scaled = changed([](Image&, Values& v) {
     for (std::int16_t& value : v) value = static_cast<std::int16_t>(8 * value);
   });
-  QCOMPARE(image_doubts(scaled), Doubts{"image.no_tissue 0"});
+  QCOMPARE(image_doubts(scaled), (Doubts{"image.no_tissue 0", "image.no_air 0"}));
   // A file that ended early and was filled up.
   const Image half = changed([](Image&, Values& v) {
     for (std::size_t n = 0; n < v.size(); n += 2) v[n] = 0;
@@ -84,6 +81,33 @@ void PlausibilityTest::NumbersThatAreNoHounsfieldUnitsAreTold() {
   other.modality = Modality::mr;
   QCOMPARE(image_doubts(other), Doubts());
   QVERIFY_EXCEPTION_THROWN(image_doubts(Image()), PreconditionError);
+}
+
+void PlausibilityTest::ALostInterceptIsToldWithWhatSpeaksForIt() {
+  const auto moved_by = [](int hu) {
+    return changed([hu](Image&, Values& v) {
+      for (std::int16_t& value : v) value = static_cast<std::int16_t>(value + hu);
+      // What lies outside of the scanner's view is no air, whatever number stands for it.
+      for (std::size_t n = 0; n < v.size(); n += 97) v[n] = -3024;
+    });
+  };
+  QCOMPARE(scale_doubts(moved_by(0)), Doubts());
+  for (const int lost : {1024, 1000})
+    QCOMPARE(scale_doubts(moved_by(lost)), (Doubts{"image.no_air 0", "image.shifted -1024"}));
+  QCOMPARE(scale_doubts(moved_by(-1024)), (Doubts{"image.no_tissue 0", "image.shifted 1024"}));
+  QCOMPARE(image_doubts(moved_by(1024)), scale_doubts(moved_by(1024)));
+  Image mr = moved_by(1024);
+  mr.modality = Modality::mr;
+  QCOMPARE(scale_doubts(mr), Doubts());
+}
+
+void PlausibilityTest::ACroppedCtIsToldNoShift() {
+  // Liver, fat and bone, without a voxel of air.
+  const Image cropped = changed([](Image&, Values& v) {
+    for (std::size_t n = 0; n < v.size(); ++n)
+      if (v[n] < -300) v[n] = static_cast<std::int16_t>(n % 11 == 0 ? 1200 : n % 3 == 0 ? -100 : 110);
+  });
+  QCOMPARE(scale_doubts(cropped), Doubts{"image.no_air 0"});
 }
 
 void PlausibilityTest::RealScansAreNotDoubted() {

@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/network/runner.h"
 #include "glisson/volume/morphology.h"
+#include "glisson/volume/plausibility.h"
 #include "oriented.h"
 #include "painter.h"
 #include "sheet.h"
@@ -227,6 +228,7 @@ Cancellable<NetworkLabels> label_by_network(const Image& image, const std::files
   }
   NetworkLabels made;
   made.tiles = labelling.tiles();
+  made.notes = scale_doubts(image);
   number_lesions(*labels, lesions, former, image.grid, sheet, merging, made.notes);
   made.labels = map_of(image.grid, *labels, kept);
   return made;

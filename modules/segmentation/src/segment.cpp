@@ -7,9 +7,10 @@
 #include "bodies.h"
 #include "glisson/core/error.h"
 #include "glisson/patient/cut_organ.h"
-#include "glisson/volume/axes.h"
 #include "glisson/volume/io.h"
+#include "glisson/volume/plausibility.h"
 #include "live_view.h"
+#include "metal.h"
 #include "mr_scale.h"
 #include "painting.h"
 #include "part.h"
@@ -237,40 +238,12 @@ std::optional<std::string> cava_note(const LabelVolume& labels, const std::vecto
          std::to_string(std::lround(ml));
 }
 
-/// Metal throws streaks across the slices that it lies in, and what they cross looks like no liver.
-/// @param image on a CT's scale; an MRI's ends far below metal. @param liver as inside_liver() has it.
-std::optional<std::string> metal_note(const Image& image, const std::vector<std::uint8_t>& liver) {
-  constexpr double kMetal = 2500.0;  // HU: no bone or stone is so dense
-  constexpr double kThing = 25.0;    // mm^2 in a slice: a clip for vessels is less
-  constexpr double kReach = 20.0;    // mm above and below the liver that was found: it may end at the streaks
-  const VolumeGrid& grid = image.grid;
-  const int axis = axis_along(grid, 2);
-  std::vector<long> metal(static_cast<std::size_t>(grid.size[axis]), 0);
-  int first = grid.size[axis], last = -1;
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i, ++at) {
-        const int slice = Eigen::Vector3i(i, j, k)[axis];
-        metal[static_cast<std::size_t>(slice)] += (*image.voxels)[at] > kMetal;
-        if (liver[at] != 0) first = std::min(first, slice), last = std::max(last, slice);
-      }
-  const double spacing = grid.spacing_mm[axis], area = grid.voxel_volume_mm3() / spacing;
-  long slices = 0;
-  for (int n = 0; n < grid.size[axis]; ++n)
-    slices += spacing * (first - n) <= kReach && spacing * (n - last) <= kReach &&
-              area * static_cast<double>(metal[static_cast<std::size_t>(n)]) >= kThing;
-  if (last < 0 || slices == 0) return {};
-  return "image.metal " + std::to_string(slices);
-}
-
-SegmentationReport report_of(const Image& image, const LabelMap& labels, const Seeds& seeds) {
+SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
   SegmentationReport report;
   const std::vector<std::uint8_t> liver = inside_liver(labels);
   report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
                     labels.voxels.grid().voxel_volume_mm3();
   if (auto note = cut_note(labels.voxels.grid(), liver)) report.notes.push_back(std::move(*note));
-  if (auto note = metal_note(image, liver)) report.notes.push_back(std::move(*note));
   if (auto note = cava_note(labels.voxels, liver)) report.notes.push_back(std::move(*note));
   if (looks_mirrored(labels.voxels)) report.notes.emplace_back("liver.perhaps_mirrored");
   report.portal_ml = ml_of(labels.voxels, structure::kPortalVein);
@@ -405,7 +378,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   paint_all(*bodies, *vessels, found, painting);
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
-  result.report = report_of(whole, result.labels, seeds);
+  result.report = report_of(result.labels, seeds);
   note_doubts(seeds, anew, *bodies, vessels->trees, result.report);
   if (!options.region) note_sizes(result.labels.voxels, found, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
@@ -423,7 +396,14 @@ Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const Seg
   const double scaled = image.modality == Modality::ct ? 0.0 : 0.15;
   const auto on_scale = on_ct_scale(image, seeds, kept, context.part(0.0, scaled));
   if (!on_scale) return std::nullopt;
-  return segment_ct(*on_scale, seeds, options, context.part(scaled, 1.0), kept, show);
+  auto result = segment_ct(*on_scale, seeds, options, context.part(scaled, 1.0), kept, show);
+  if (!result) return std::nullopt;
+  std::vector<std::string>& notes = result->report.notes;
+  if (auto note = metal_note(image, result->labels.voxels)) notes.insert(notes.begin(), std::move(*note));
+  // Before all others: what is wrong with the liver follows from it.
+  const std::vector<std::string> scale = scale_doubts(image);
+  notes.insert(notes.begin(), scale.begin(), scale.end());
+  return result;
 }
 
 double dice(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {

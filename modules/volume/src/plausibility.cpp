@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
+#include <utility>
 
 #include "glisson/core/error.h"
 
@@ -11,6 +13,13 @@ namespace {
 
 constexpr double kLeastSide = 100.0, kMostWidth = 1000.0;  // mm
 constexpr double kMostZerosCt = 0.4, kMostZeros = 0.95, kLeastTissue = 0.05, kLeastAir = 0.001;
+constexpr int kIntercept = 1024;  // of most scanners, HU; the ranges below hold 1000 as well
+
+/// Hounsfield units.
+struct Range {
+  int low, high;
+};
+constexpr Range kTissue{-150, 250}, kAir{-1100, -300};
 
 std::string shown(double value) {
   char text[32];
@@ -19,7 +28,7 @@ std::string shown(double value) {
 }
 
 struct Counts {
-  long zeros = 0, tissue = 0, air = 0, constant = 0, repeated = 0;
+  long zeros = 0, constant = 0, repeated = 0;
 };
 
 Counts counted(const Image& image) {
@@ -27,11 +36,7 @@ Counts counted(const Image& image) {
   const auto plane =
       static_cast<std::size_t>(image.grid.size.x()) * static_cast<std::size_t>(image.grid.size.y());
   Counts counts;
-  for (const std::int16_t value : voxels) {
-    counts.zeros += value == 0;
-    counts.tissue += value >= -150 && value <= 250;
-    counts.air += value < -300;
-  }
+  counts.zeros = std::count(voxels.begin(), voxels.end(), std::int16_t{0});
   for (std::size_t begin = 0; begin + plane <= voxels.size(); begin += plane) {
     const auto first = voxels.begin() + static_cast<std::ptrdiff_t>(begin),
                last = first + static_cast<std::ptrdiff_t>(plane);
@@ -43,11 +48,51 @@ Counts counted(const Image& image) {
   return counts;
 }
 
-}  // namespace
+/// How the voxels' values are spread.
+class Values {
+ public:
+  explicit Values(const Image& image) : total_(static_cast<double>(image.voxels->size())) {
+    for (const std::int16_t value : *image.voxels) ++counts_[static_cast<std::size_t>(value + kHalf)];
+  }
+  /// @param shift of the range.
+  double share(const Range& range, int shift = 0) const {
+    const auto at = [&](int value) {
+      return counts_.begin() + std::clamp(value + shift + kHalf, 0, 2 * kHalf);
+    };
+    return static_cast<double>(std::accumulate(at(range.low), at(range.high + 1), 0L)) / total_;
+  }
+  bool holds_tissue(int shift = 0) const { return share(kTissue, shift) >= kLeastTissue; }
+  bool holds_air(int shift = 0) const { return share(kAir, shift) >= kLeastAir; }
 
-std::vector<std::string> image_doubts(const Image& image) {
+ private:
+  static constexpr int kHalf = 32768;
+  std::vector<long> counts_ = std::vector<long>(2 * kHalf, 0);
+  double total_;
+};
+
+void require_voxels(const Image& image) {
   require(!image.empty() && static_cast<long>(image.voxels->size()) == image.grid.voxel_count(),
           "an image has one value a voxel");
+}
+
+}  // namespace
+
+std::vector<std::string> scale_doubts(const Image& image) {
+  require_voxels(image);
+  std::vector<std::string> doubts;
+  if (image.modality != Modality::ct) return doubts;
+  const Values values(image);
+  if (!values.holds_tissue()) doubts.push_back("image.no_tissue " + shown(100.0 * values.share(kTissue)));
+  if (!values.holds_air()) doubts.push_back("image.no_air " + shown(100.0 * values.share(kAir)));
+  if (doubts.empty()) return doubts;
+  for (const int shift : {kIntercept, -kIntercept})
+    if (values.holds_tissue(shift) && values.holds_air(shift))
+      doubts.push_back("image.shifted " + std::to_string(-shift));
+  return doubts;
+}
+
+std::vector<std::string> image_doubts(const Image& image) {
+  require_voxels(image);
   std::vector<std::string> doubts;
   Eigen::Vector3d sides = image.grid.spacing_mm.cwiseProduct(image.grid.size.cast<double>());
   std::sort(sides.begin(), sides.end());
@@ -65,10 +110,7 @@ std::vector<std::string> image_doubts(const Image& image) {
   const bool ct = image.modality == Modality::ct;
   if (share(counts.zeros) > (ct ? kMostZerosCt : kMostZeros))
     doubts.push_back("image.zeros " + shown(100.0 * share(counts.zeros)));
-  if (ct && share(counts.tissue) < kLeastTissue)
-    doubts.push_back("image.no_tissue " + shown(100.0 * share(counts.tissue)));
-  if (ct && share(counts.air) < kLeastAir)
-    doubts.push_back("image.no_air " + shown(100.0 * share(counts.air)));
+  for (std::string& doubt : scale_doubts(image)) doubts.push_back(std::move(doubt));
   return doubts;
 }
 

@@ -26,6 +26,10 @@ class Notes {
         {"image.metal", tr("Something denser than any bone, as metal is, lies in %1 slices of the liver or "
                            "next to them: its streaks may have taken liver away or added to it. "
                            "Check these slices.")},
+        {"image.clipped",
+         tr("The CT's values end at %1 HU, and something in %2 slices of the liver or next to them reaches "
+            "that: nothing tells bone from metal, whose streaks may have taken liver away or added to it. "
+            "Check these slices.")},
         {"seed.liver_apart",
          tr("Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
             "between the two, or take it away.")},
@@ -70,10 +74,6 @@ class Notes {
         {"gallbladder.not_found", tr("No gallbladder was found at its seeds: what there was stays.")},
         {"liver.perhaps_mirrored",
          tr("The liver lies to the left of the vena cava: left and right may be swapped in the image.")},
-        {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds.")},
-        {"vessels.pieces_dropped",
-         tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
-        {"vessels.pieces", tr("%1: separate trees in the model: %2.")},
         {"liver.axes_exchanged",
          tr("By its shape this liver fits the atlas clearly better with %1 exchanged. Check in the slices, "
             "or "
@@ -81,6 +81,10 @@ class Notes {
             "If "
             "not, correct the orientation in the file's header (surfaces: export them in LPS) and import it "
             "again.")},
+        {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds.")},
+        {"vessels.pieces_dropped",
+         tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
+        {"vessels.pieces", tr("%1: separate trees in the model: %2.")},
         {"vessels.branches_pruned",
          tr("Thin side branches left out of the vessel model: %1 (%3 mm together).")},
         {"vessels.pruned_radius_mm", tr("The thickest of them has a radius of %1 mm.")},
@@ -220,10 +224,17 @@ class Notes {
          tr("%1 of %2 slices are the one before over again: some may have been lost on the way.")},
         {"image.zeros", tr("%1 % of the voxels are exactly 0: the volume may be cut off or masked.")},
         {"image.no_tissue",
-         tr("Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT "
-            "in Hounsfield units.")},
+         tr("Only %1 % of the voxels have the Hounsfield units of soft tissue. Either this is no CT in "
+            "Hounsfield units, or the scanner's rescale slope and intercept were lost on the way. Look at "
+            "water and muscle in the slices (0 and 50 HU); if they are not so, export the CT again from its "
+            "DICOM series.")},
         {"image.no_air",
-         tr("Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.")},
+         tr("Hardly a voxel has the Hounsfield units of air (%1 %). Either the CT was cropped to tissue, or "
+            "the scanner's rescale intercept was lost on the way. Look at water and muscle in the slices (0 "
+            "and 50 HU); if they are not so, export the CT again from its DICOM series.")},
+        {"image.shifted",
+         tr("Shifted by %1 HU the volume would hold air and soft tissue, as a CT does: the scanner's "
+            "intercept was probably lost or added twice. Do not trust what is segmented from such values.")},
         {"case.open_for_reading",
          tr("The case is open for writing by %*. It was opened for reading here: saved now, it needs another "
             "name.")},
@@ -285,6 +296,16 @@ class Notes {
             {"liver_side", tr("the liver's side")},
             {"liver_back", tr("the liver's back")}};
   }
+  /// Of atlas::orientation_doubts(): what is exchanged.
+  static QHash<QString, QString> axes() {
+    return {{"left_right", tr("left and right")},
+            {"front_back", tr("front and back")},
+            {"head_feet", tr("head and feet")},
+            {"left_right+front_back", tr("left and right, front and back (as between RAS and LPS)")},
+            {"left_right+head_feet", tr("left and right, head and feet")},
+            {"front_back+head_feet", tr("front and back, head and feet")},
+            {"left_right+front_back+head_feet", tr("left and right, front and back, head and feet")}};
+  }
   /// Sentences by what a lesion's code ends in; %1 is its name, %2 the note's first value.
   static QList<std::pair<QString, QString>> of_lesions() {
     return {
@@ -296,16 +317,6 @@ class Notes {
                         "diameter.")},
         {".under_surface",
          tr("%1 comes within %2 mm of the liver's surface, where the CT does not show its border: whether "
-  /// Of atlas::orientation_doubts(): what is exchanged.
-  static QHash<QString, QString> axes() {
-    return {{"left_right", tr("left and right")},
-            {"front_back", tr("front and back")},
-            {"head_feet", tr("head and feet")},
-            {"left_right+front_back", tr("left and right, front and back (as between RAS and LPS)")},
-            {"left_right+head_feet", tr("left and right, head and feet")},
-            {"front_back+head_feet", tr("front and back, head and feet")},
-            {"left_right+front_back+head_feet", tr("left and right, front and back, head and feet")}};
-  }
             "liver covers it is not known. Check it in the slices.")},
         {".as_drawn", tr("%1: no border was found where its diameter was drawn. It is a ball of that "
                          "diameter: check it "
@@ -335,6 +346,7 @@ QString value_text(const QString& token, int decimals = 2) {
     return QString::number(value, 'f', whole ? 0 : std::abs(value) >= 10.0 ? 1 : decimals);
   }
   if (const QString place = Notes::places().value(token); !place.isEmpty()) return place;
+  if (const QString axes = Notes::axes().value(token); !axes.isEmpty()) return axes;
   const QString structure = structure_named(token);
   return structure.isEmpty() ? token : structure;
 }
@@ -346,7 +358,6 @@ QString note_text(std::string_view note) {
                                  .split(QRegularExpression(QStringLiteral("[ :]")));
   const QString& code = tokens.front();
   const auto sentences = Notes::sentences();
-  if (const QString axes = Notes::axes().value(token); !axes.isEmpty()) return axes;
   if (const auto known = sentences.find(code); known != sentences.end()) {
     QString text = *known;
     if (text.contains(QLatin1String("%*")))
