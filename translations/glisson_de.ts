@@ -6336,10 +6336,6 @@
         <translation>Etwas, das dichter ist als jeder Knochen, wie Metall, liegt in %1 Schichten der Leber oder daneben: Seine Streifen haben vielleicht Leber weggenommen oder hinzugefügt. Prüfen Sie diese Schichten.</translation>
     </message>
     <message>
-        <source>The CT&apos;s values end at %1 HU, and something in %2 slices of the liver or next to them reaches that: nothing tells bone from metal, whose streaks may have taken liver away or added to it. Check these slices.</source>
-        <translation>Die Werte des CT enden bei %1 HU, und etwas in %2 Schichten der Leber oder daneben erreicht sie: Nichts unterscheidet Knochen von Metall, dessen Streifen vielleicht Leber weggenommen oder hinzugefügt haben. Prüfen Sie diese Schichten.</translation>
-    </message>
-    <message>
         <source>Points of the cloud that were there twice were left out: %1.</source>
         <translation>Doppelte Punkte der Wolke wurden weggelassen: %1.</translation>
     </message>

@@ -6336,10 +6336,6 @@
         <translation>Quelque chose de plus dense que tout os, comme du métal, est dans %1 coupes du foie ou à côté : ses stries ont peut-être enlevé ou ajouté du foie. Vérifiez ces coupes.</translation>
     </message>
     <message>
-        <source>The CT&apos;s values end at %1 HU, and something in %2 slices of the liver or next to them reaches that: nothing tells bone from metal, whose streaks may have taken liver away or added to it. Check these slices.</source>
-        <translation>Les valeurs du scanner s&apos;arrêtent à %1 HU, et quelque chose les atteint dans %2 coupes du foie ou à côté : rien ne distingue l&apos;os du métal, dont les stries ont peut-être enlevé ou ajouté du foie. Vérifiez ces coupes.</translation>
-    </message>
-    <message>
         <source>Points of the cloud that were there twice were left out: %1.</source>
         <translation>Des points en double du nuage ont été écartés : %1.</translation>
     </message>

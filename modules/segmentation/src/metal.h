@@ -10,12 +10,8 @@
 namespace glisson::segmentation {
 
 /// Metal throws streaks across the slices that it lies in, and what they cross looks like no liver. In the
-/// slices of the liver and 20 mm beyond:
-///   "image.metal SLICES"           something is denser than any bone
-///   "image.clipped HU SLICES"      the image's values end at so many HU, below metal and in the range of
-///                                  bone, and something stands exactly there: nothing tells whether it is
-///                                  metal
-/// No value: neither, or no CT.
+/// slices of the liver and 20 mm beyond: "image.metal SLICES", where something is denser than any bone. No
+/// value: nothing is, or no CT. Where the values end at 1023 HU, as in many CTs, metal looks like bone.
 /// @pre labels on the image's grid.
 std::optional<std::string> metal_note(const Image& image, const LabelVolume& labels);
 

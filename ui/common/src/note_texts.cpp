@@ -26,10 +26,6 @@ class Notes {
         {"image.metal", tr("Something denser than any bone, as metal is, lies in %1 slices of the liver or "
                            "next to them: its streaks may have taken liver away or added to it. "
                            "Check these slices.")},
-        {"image.clipped",
-         tr("The CT's values end at %1 HU, and something in %2 slices of the liver or next to them reaches "
-            "that: nothing tells bone from metal, whose streaks may have taken liver away or added to it. "
-            "Check these slices.")},
         {"seed.liver_apart",
          tr("Liver seed %1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
             "between the two, or take it away.")},
