@@ -172,7 +172,9 @@ void LabelNetworkTest::LesionsBecomeLabelsOfTheirOwn() {
   QCOMPARE(made.labels.voxels.at({2, 2, 2}), structure::kFirstLesion);
   QCOMPARE(made.labels.voxels.at({31, 2, 2}), static_cast<Label>(structure::kFirstLesion + 1));
   QCOMPARE(made.labels.voxels.at({20, 15, 5}), structure::kParenchyma);
-  QCOMPARE(made.notes, std::vector<std::string>{"network.small_lesions 1"});
+  QVERIFY(!made.notes.empty());
+  QCOMPARE(made.notes.back(),
+           std::string("network.small_lesions 1"));  // after what the phantom lacks of a CT
   // A number that is locked is another lesion's.
   LabelMap kept;
   kept.voxels = LabelVolume(image.grid);
