@@ -22,10 +22,21 @@ namespace {
 constexpr std::uint64_t kFirstSeed = 9050;  // of livers that neither the built-in atlas nor the proof's has
 constexpr double kNotchOff = 17.5e-3;       // metres
 
-/// Errors of one source's registrations, metres.
-struct Sum {
-  double mean = 0.0, lesion = 0.0;
-  int count = 0, told = 0, refused = 0;
+/// One cloud, registered with the landmarks of each source.
+struct Trial {
+  std::uint64_t seed = 0;
+  std::string handling;
+  struct Registered {
+    double mean = 0.0, lesion = 0.0;  ///< errors, metres
+    bool refused = false, told = false;
+  };
+  std::map<LandmarkSource, Registered> by;
+
+  /// Only where no source's was refused are the sources compared: a source is not the better for having
+  /// refused the hard ones.
+  bool counts() const {
+    return std::none_of(by.begin(), by.end(), [](const auto& one) { return one.second.refused; });
+  }
 };
 
 class Study {
@@ -72,7 +83,8 @@ class Study {
       const auto made = register_model(*model, cloud, {}, context.quiet(), known);
       if (!made) return false;
       if (made->registered.operations) known = {{}, made->registered.operations};
-      add(made->registered.registration, stage, handling, *model, lesions, sums_[source]);
+      trial_of(seed, handling).by[source] =
+          judged(made->registered.registration, stage, handling, *model, lesions);
     }
     return true;
   }
@@ -120,48 +132,79 @@ class Study {
     return made;
   }
 
-  static void add(const Registration& made, const RegistrationStage& stage, std::size_t handling,
-                  const PatientModel& model, const Binding& lesions, Sum& sum) {
-    sum.told += !made.doubts.empty();
-    if (registration::is_refused(made)) {
-      ++sum.refused;
-      return;
-    }
+  Trial& trial_of(std::uint64_t seed, std::size_t handling) {
+    const char* code = insilico::handling_code(insilico::kHandlings[handling]);
+    for (Trial& trial : trials_)
+      if (trial.seed == seed && trial.handling == code) return trial;
+    trials_.push_back({seed, code, {}});
+    return trials_.back();
+  }
+
+  static Trial::Registered judged(const Registration& made, const RegistrationStage& stage,
+                                  std::size_t handling, const PatientModel& model, const Binding& lesions) {
     const Points truth = stage.by(handling).carry(model.mesh.vertices);
     const Points off =
         lesions.apply(model.mesh, made.nodes_in_camera) - stage.by(handling).carry(stage.lesions);
-    sum.mean += (made.nodes_in_camera - truth).rowwise().norm().mean();
-    sum.lesion += off.rowwise().norm().maxCoeff();
-    ++sum.count;
+    return {(made.nodes_in_camera - truth).rowwise().norm().mean(), off.rowwise().norm().maxCoeff(),
+            registration::is_refused(made), !made.doubts.empty()};
   }
 
-  LandmarkEffect summed() {
-    LandmarkEffect effect;
-    effect.table.emplace_back("landmarks     trials  mean mm  lesion mm  refused  told");
-    const auto mean = [](double sum, int count) { return count > 0 ? 1e3 * sum / count : std::nan(""); };
-    for (const LandmarkSource source : kLandmarkSources) {
-      const Sum& sum = sums_[source];
-      const std::string prefix = std::string("effect_") + landmark_source_code(source) + "_";
-      effect.figures[prefix + "mean_mm"] = mean(sum.mean, sum.count);
-      effect.figures[prefix + "lesion_mm"] = mean(sum.lesion, sum.count);
-      effect.figures[prefix + "told"] = sum.told;
-      char line[120];
-      std::snprintf(line, sizeof line, "%-13s %6d %8s %10s %8d %5d", landmark_source_code(source),
-                    sum.count + sum.refused, figure_text("%.2f", mean(sum.mean, sum.count)).c_str(),
-                    figure_text("%.2f", mean(sum.lesion, sum.count)).c_str(), sum.refused, sum.told);
-      effect.table.emplace_back(line);
+  /// Means over the trials that count, and how many of all were told.
+  void sum_up(LandmarkSource source, LandmarkEffect& effect) const {
+    double mean = 0.0, lesion = 0.0;
+    int count = 0, refused = 0, told = 0;
+    for (const Trial& trial : trials_) {
+      const Trial::Registered& one = trial.by.at(source);
+      refused += one.refused;
+      told += one.told;
+      if (!trial.counts()) continue;
+      mean += one.mean;
+      lesion += one.lesion;
+      ++count;
     }
-    const Sum& none = sums_[LandmarkSource::none];
-    effect.figures["effect_trials"] = none.count + none.refused;
+    const auto millimetres = [&](double sum) { return count > 0 ? 1e3 * sum / count : std::nan(""); };
+    const char* code = landmark_source_code(source);
+    const std::string prefix = std::string("effect_") + code + "_";
+    effect.figures[prefix + "mean_mm"] = millimetres(mean);
+    effect.figures[prefix + "lesion_mm"] = millimetres(lesion);
+    effect.figures[prefix + "told"] = told;
+    effect.figures["effect_compared"] = count;
+    char line[120];
+    std::snprintf(line, sizeof line, "%-13s %8d %8s %10s %8d %5d", code, count,
+                  figure_text("%.2f", millimetres(mean)).c_str(),
+                  figure_text("%.2f", millimetres(lesion)).c_str(), refused, told);
+    effect.table.emplace_back(line);
+  }
+
+  LandmarkEffect summed() const {
+    LandmarkEffect effect;
+    effect.table.emplace_back("landmarks     compared  mean mm  lesion mm  refused  told");
+    for (const LandmarkSource source : kLandmarkSources) sum_up(source, effect);
+    std::string heads = "mean mm of liver  handled ";
+    for (const LandmarkSource source : kLandmarkSources)
+      heads += std::string("  ") + landmark_source_code(source);
+    effect.table.push_back(heads);
+    for (const Trial& trial : trials_) {
+      char line[160];
+      std::snprintf(line, sizeof line, "%16llu  %-8s", static_cast<unsigned long long>(trial.seed),
+                    trial.handling.c_str());
+      std::string row = line;
+      for (const LandmarkSource source : kLandmarkSources) {
+        const Trial::Registered& one = trial.by.at(source);
+        row += "  " + figure_text("%.1f", 1e3 * one.mean) + (one.refused ? " refused" : "");
+      }
+      effect.table.push_back(row);
+    }
+    effect.figures["effect_trials"] = static_cast<double>(trials_.size());
     effect.figures["effect_atlas_over_none"] =
         effect.figures["effect_atlas_mean_mm"] / effect.figures["effect_none_mean_mm"];
-    effect.figures["effect_atlas_notch_mm"] = mean(notch_, notches_);
+    effect.figures["effect_atlas_notch_mm"] = notches_ > 0 ? 1e3 * notch_ / notches_ : std::nan("");
     return effect;
   }
 
   const LandmarkEffectOptions& options_;
   RunContext context_;
-  std::map<LandmarkSource, Sum> sums_;
+  std::vector<Trial> trials_;
   double notch_ = 0.0;
   int notches_ = 0;
 };

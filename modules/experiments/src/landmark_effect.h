@@ -46,14 +46,15 @@ struct LandmarkEffectOptions {
 
 /// Errors of registrations by where the landmarks came from.
 struct LandmarkEffect {
-  /// "effect_SOURCE_mean_mm" (over all nodes), "effect_SOURCE_lesion_mm" (the largest of three deep places),
-  /// "effect_SOURCE_told" (refused or doubted), "effect_trials", "effect_atlas_over_none" (a ratio of means),
+  /// "effect_SOURCE_mean_mm" (over all nodes) and "effect_SOURCE_lesion_mm" (the largest of three deep
+  /// places), both over the "effect_compared" of "effect_trials" clouds that were refused with no source;
+  /// "effect_SOURCE_told" (of all, refused or doubted), "effect_atlas_over_none" (a ratio of means),
   /// "effect_atlas_notch_mm" (from the atlas' notch to the true one).
   Figures figures;
-  std::vector<std::string> table;  ///< a row a source, the first the heads
+  std::vector<std::string> table;  ///< a row a source, then a row a cloud, each with heads
 };
 /// In silico: each patient handled in every way of `insilico`, one cloud each, registered with each source.
-/// Registrations that are refused count in `told` alone. Empty: cancelled. @throws InputError options; Error.
+/// Empty: cancelled. @throws InputError options; Error.
 Cancellable<LandmarkEffect> measure_landmark_effect(const LandmarkEffectOptions& options,
                                                     const RunContext& context);
 
