@@ -197,8 +197,8 @@ bool Arguments::parse(const QStringList& given) {
                        command_.toStdString() + "'. See 'glisson " + command_.toStdString() + " --help'.");
     // A folder that the command itself will make is a good place too.
     const fs::path folder = path("json").parent_path();
-    const bool made_here = parser_.optionNames().contains("out") && !folder.empty() &&
-                           fs::weakly_canonical(folder) == fs::weakly_canonical(path("out"));
+    const bool made_here =
+        parser_.optionNames().contains("out") && !folder.empty() && is_same_place(folder, path("out"));
     if (has("json") && !made_here) output_file("json");
     return true;
   }

@@ -162,8 +162,7 @@ void correct_by_seeds(Session& session, const fs::path& path, const std::vector<
   if (added.empty() && grown.empty())
     throw InputError(
         path.string(), "",
-        "has no click on the liver, beside it, on its veins or on a lesion that the case does not "
-        "have",
+        "has no click on the liver, beside it, on its veins or on a lesion that the case does not have",
         "Add one, or leave --correct out");
   session.post(engine::SetSeeds{seeds});
   session.post(engine::CorrectAround{added, seeds, locked, grown});

@@ -2,13 +2,13 @@
 #include "mirrored.h"
 
 #include "glisson/core/error.h"
+#include "pose_search.h"
 
 namespace glisson::atlas {
 namespace {
-/// The best flipped image's misfit over the liver's own, both lying as in a CT, below which left and right,
-/// or another pair, are exchanged, and below which they may be. Of ten real livers of development it is 1.25
-/// and more, of their images 0.80 and less, of halves and of stretched ones 1.04 and more.
-constexpr double kFlipped = 0.9, kPerhapsFlipped = 1.1;
+/// The best flipped image's misfit over the liver's own below which left and right, or another pair, may be
+/// exchanged; below kExchanged they are.
+constexpr double kPerhapsFlipped = 1.1;
 /// For livers that do not lie so. The mirror image's misfit over the liver's own below which left and right
 /// must be mixed up, and below which they may be. On the ten maps of development it lies between 1.00
 /// and 1.20.
@@ -28,7 +28,7 @@ Cancellable<Handedness> handedness(const ShapeModel& model, const Triangles& tri
   // A liver that lies otherwise than in a CT fits better turned than any of its images upright.
   const bool as_in_ct = found.flipped_misfit < found.misfit || found.upright_misfit <= found.misfit;
   const double flipped = found.flipped_misfit / found.upright_misfit;
-  if (as_in_ct && flipped < kFlipped) return Handedness::mirrored;
+  if (as_in_ct && flipped < kExchanged) return Handedness::mirrored;
   const double ratio = found.mirrored_misfit / found.misfit;
   if (as_in_ct && flipped >= kPerhapsFlipped) return Handedness::right;
   if (ratio >= kPerhaps) return Handedness::right;

@@ -12,11 +12,6 @@
 namespace glisson::atlas {
 namespace {
 
-/// The best image's misfit over the liver's own below which it is told. Of twelve real livers of development
-/// it is 1.25 and more, and of their images 0.80 and less; of livers cut to half, stretched by 1.4 or turned
-/// by 30 degrees it is 0.98 and more.
-constexpr double kClearlyBetter = 0.9;
-
 std::string axes_code(Axes turned_round) {
   std::string code;
   for (const auto& [axis, name] : {std::pair(kLeftRight, "left_right"), std::pair(kFrontBack, "front_back"),
@@ -60,7 +55,7 @@ Cancellable<std::vector<std::string>> orientation_doubts(const Atlas& atlas, con
   const auto misfits = image_misfits(atlas, closed, context);
   if (!misfits) return {};
   const auto best = std::min_element(misfits->begin() + 1, misfits->end());
-  if (*best < kClearlyBetter * misfits->front())
+  if (*best < kExchanged * misfits->front())
     doubts.push_back("liver.axes_exchanged " + axes_code(static_cast<Axes>(best - misfits->begin())));
   return doubts;
 }

@@ -15,36 +15,29 @@ constexpr double kMetal = 2500.0;  // HU: no bone or stone is so dense
 constexpr double kThing = 25.0;    // mm^2 in a slice: a clip for vessels is less
 constexpr double kReach = 20.0;    // mm above and below the liver that was found: it may end at the streaks
 
-/// How many slices hold kThing of what is brighter than `most` (HU) in the liver's slices and kReach beyond.
-long slices_with(double most, const Image& image, const LabelVolume& labels) {
+}  // namespace
+
+std::optional<std::string> metal_note(const Image& image, const LabelVolume& labels) {
+  if (image.modality != Modality::ct) return {};
   const std::vector<std::uint8_t> liver = labels.mask(is_liver_tissue);
   const VolumeGrid& grid = image.grid;
   const int axis = axis_along(grid, 2);
-  std::vector<long> bright(static_cast<std::size_t>(grid.size[axis]), 0);
+  std::vector<long> metal(static_cast<std::size_t>(grid.size[axis]), 0);
   int first = grid.size[axis], last = -1;
   std::size_t at = 0;
   for (int k = 0; k < grid.size.z(); ++k)
     for (int j = 0; j < grid.size.y(); ++j)
       for (int i = 0; i < grid.size.x(); ++i, ++at) {
         const int slice = Eigen::Vector3i(i, j, k)[axis];
-        bright[static_cast<std::size_t>(slice)] += (*image.voxels)[at] > most;
+        metal[static_cast<std::size_t>(slice)] += (*image.voxels)[at] > kMetal;
         if (liver[at] != 0) first = std::min(first, slice), last = std::max(last, slice);
       }
-  if (last < 0) return 0;
   const double spacing = grid.spacing_mm[axis], area = grid.voxel_volume_mm3() / spacing;
   long slices = 0;
   for (int n = 0; n < grid.size[axis]; ++n)
     slices += spacing * (first - n) <= kReach && spacing * (n - last) <= kReach &&
-              area * static_cast<double>(bright[static_cast<std::size_t>(n)]) >= kThing;
-  return slices;
-}
-
-}  // namespace
-
-std::optional<std::string> metal_note(const Image& image, const LabelVolume& labels) {
-  if (image.modality != Modality::ct) return {};
-  const long slices = slices_with(kMetal, image, labels);
-  if (slices == 0) return {};
+              area * static_cast<double>(metal[static_cast<std::size_t>(n)]) >= kThing;
+  if (last < 0 || slices == 0) return {};
   return "image.metal " + std::to_string(slices);
 }
 

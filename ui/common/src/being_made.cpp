@@ -14,10 +14,11 @@ class BeingMade {
 
 }  // namespace
 
-bool is_being_made(const EngineBridge& engine, engine::Part part) {
+bool is_being_made(const EngineBridge& engine, engine::Part part, std::optional<engine::Lane> lane) {
   const auto& tasks = engine.tasks();
-  return std::any_of(tasks.begin(), tasks.end(),
-                     [part](const Task& task) { return task.traits.writes.has(part); });
+  return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) {
+    return task.traits.writes.has(part) && (!lane || task.traits.lane == *lane);
+  });
 }
 
 QString model_wait_text() { return BeingMade::tr("A new model is being made: look at it first."); }

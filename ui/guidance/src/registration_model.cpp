@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
-#include <algorithm>
-
 #include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/former_registration.h"
@@ -12,6 +10,7 @@
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -27,10 +26,7 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
 }
 
 void RegistrationModel::read_tasks() {
-  const auto& tasks = engine_.tasks();
-  is_being_made = std::any_of(tasks.begin(), tasks.end(), [](const Task& task) {
-    return task.traits.lane == engine::Lane::work && task.traits.writes.has(part::registration);
-  });
+  is_being_made = ui::is_being_made(engine_, part::registration, engine::Lane::work);
 }
 
 QString RegistrationModel::wait_words() {

@@ -18,7 +18,7 @@ struct CorrectAround {
   /// placed without waiting for the first.
   segmentation::Seeds seeds;
   std::vector<Label> locked;
-  std::vector<segmentation::StructureClick> grown = {};
+  std::vector<segmentation::StructureClick> grown = {};  ///< clicks on vessels and lesions, after the others
 
   CommandTraits traits() const;
   /// figures: voxels_changed and changed_ml, of all clicks together (a voxel that two of them change counts

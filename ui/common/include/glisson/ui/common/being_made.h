@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "glisson/ui/common/engine_bridge.h"
 
@@ -9,7 +10,8 @@ namespace glisson::ui {
 
 /// Whether something at work, or waiting, makes this part of the case anew. A command that is posted now
 /// comes after it: what a person says of what is on the screen would be said of what nobody has seen.
-bool is_being_made(const EngineBridge& engine, engine::Part part);
+/// @param lane on which; none: on any.
+bool is_being_made(const EngineBridge& engine, engine::Part part, std::optional<engine::Lane> lane = {});
 /// Why nothing is said of the model meanwhile.
 QString model_wait_text();
 
