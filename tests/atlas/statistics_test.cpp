@@ -26,8 +26,8 @@ class StatisticsTest : public QObject {
     QFETCH(int, members);
     auto random = RunContext().random("test.ellipsoids");
     const auto draw = [&] {
-      return Eigen::RowVector3d(0.009 * standard_normal(random), 0.006 * standard_normal(random),
-                                0.003 * standard_normal(random));
+      return Eigen::RowVector3d{0.009 * standard_normal(random), 0.006 * standard_normal(random),
+                                0.003 * standard_normal(random)};
     };
     int inside = 0;
     constexpr int kDraws = 4000;

@@ -74,7 +74,7 @@ class RandomEdits {
     Eigen::Vector3d at = place(5.0);
     const double slice = grid_.spacing_mm[t.normal_axis] * below(grid_.size[t.normal_axis]);
     for (Eigen::Index n = 0; n < t.path.rows(); ++n) {
-      at += Eigen::Vector3d(between(-6, 6), between(-6, 6), between(-6, 6));
+      at += Eigen::Vector3d{between(-6, 6), between(-6, 6), between(-6, 6)};
       if (t.brush == Paint::Brush::disc)
         at[t.normal_axis] = slice + between(-0.2, 0.2) * grid_.spacing_mm[t.normal_axis];
       t.path.row(n) = p_at(grid_, at).transpose();
@@ -87,7 +87,7 @@ class RandomEdits {
     t.operation = static_cast<Scissors::Operation>(below(3));
     const Eigen::Vector3d towards = p_at(grid_, place());
     if (below(2) == 0) {  // a slice, or a parallel view
-      t.view_from_ct << Eigen::Quaterniond(between(-1, 1), between(-1, 1), between(-1, 1), 0.5)
+      t.view_from_ct << Eigen::Quaterniond{between(-1, 1), between(-1, 1), between(-1, 1), 0.5}
                             .normalized()
                             .toRotationMatrix()
                             .topRows<2>(),
@@ -104,8 +104,8 @@ class RandomEdits {
       for (Eigen::Index n = 0; n < t.outline.rows(); n += 2)
         t.outline.row(n) = centre.transpose() + 0.3 * (t.outline.row(n) - centre.transpose());
     if (below(2) == 0) {
-      t.slab.emplace();
-      t.slab->normal = Eigen::Vector3d(between(-1, 1), between(-1, 1), between(-1, 1)).normalized();
+      t.slab = Scissors::Slab();
+      t.slab->normal = Eigen::Vector3d{between(-1, 1), between(-1, 1), between(-1, 1)}.normalized();
       t.slab->offset = t.slab->normal.dot(towards);
       t.slab->half_thickness = between(0.5e-3, 8e-3);
     }

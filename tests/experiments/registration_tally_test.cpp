@@ -60,7 +60,7 @@ void RegistrationTallyTest::EvenRightExpectationsCorrelateOnlySoFar() {
   one.lesions.clear();
   for (int i = 0; i < 20000; ++i) {
     const double sigma = 1e-3 * (1.0 + 4.0 * uniform01(random));
-    const Eigen::Vector3d off(standard_normal(random), standard_normal(random), standard_normal(random));
+    const Eigen::Vector3d off{standard_normal(random), standard_normal(random), standard_normal(random)};
     one.expected.push_back(kMeanOfThree * sigma);
     one.lesions.push_back(sigma * off.norm());
   }

@@ -74,8 +74,8 @@ BeamNodeState random_node(unsigned seed, const Eigen::Vector3d& near, double amo
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-amount, amount);
   BeamNodeState node;
-  node.position = near + 0.01 * Eigen::Vector3d(uniform(random), uniform(random), uniform(random));
-  const Eigen::Vector3d spin(uniform(random), uniform(random), uniform(random));
+  node.position = near + 0.01 * Eigen::Vector3d{uniform(random), uniform(random), uniform(random)};
+  const Eigen::Vector3d spin{uniform(random), uniform(random), uniform(random)};
   node.rotation = Eigen::AngleAxisd(spin.norm(), spin.normalized()).toRotationMatrix();
   return node;
 }
@@ -113,9 +113,9 @@ class BeamTest : public QObject {
     QVERIFY(std::abs(solid.shear / (solid.axial / 2.8) - 8.4 / 9.4) < 1e-12);
     const BeamSection thin = BeamSection::hollow(0.004, 4e-9, kWall);
     QVERIFY(std::abs(thin.shear / (thin.axial / 2.8) - 2.8 / 5.2) < 1e-5);
-    QVERIFY_EXCEPTION_THROWN(BeamSection::hollow(0.0, 0.1, kWall), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(BeamElement(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), solid),
-                             PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, BeamSection::hollow(0.0, 0.1, kWall));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                             BeamElement(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), solid));
   }
 
   void StiffnessAtRestIsTimoshenkosMatrix_data() {

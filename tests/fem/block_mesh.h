@@ -89,7 +89,7 @@ inline Points noise(Eigen::Index rows, double amount, unsigned seed) {
 inline Eigen::Matrix3d random_rotation(unsigned seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+  return Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}
       .normalized()
       .toRotationMatrix();
 }

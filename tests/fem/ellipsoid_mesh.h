@@ -46,8 +46,8 @@ inline std::vector<VesselTree> ellipsoid_vessels(int count) {
   for (unsigned seed = 0; count > 0; ++seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    const Eigen::Vector3d to(0.15 + 0.03 * uniform(random), 0.075 + 0.04 * uniform(random),
-                             0.05 + 0.025 * uniform(random));
+    const Eigen::Vector3d to{0.15 + 0.03 * uniform(random), 0.075 + 0.04 * uniform(random),
+                             0.05 + 0.025 * uniform(random)};
     const int beams = std::min(count, static_cast<int>((to - root).norm() / 0.005));
     vessels.push_back(straight_vessel(root, to, beams, seed == 0 ? 0.005 : 0.002));
     count -= beams;

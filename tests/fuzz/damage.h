@@ -31,10 +31,14 @@ inline std::string damaged(std::string bytes, std::mt19937& random) {
       return bytes;
     case 1:
       return bytes.erase(at, 1 + random() % 8);
-    case 2:
-      return bytes.insert(at, 1 + random() % 8, static_cast<char>('0' + random() % 10));
-    case 3:
-      return bytes.insert(at, bytes.substr(random() % reach, random() % 200));
+    case 2: {  // each draw a statement: an argument list has no order
+      const auto digit = static_cast<char>('0' + random() % 10);
+      return bytes.insert(at, 1 + random() % 8, digit);
+    }
+    case 3: {
+      const std::size_t length = random() % 200;
+      return bytes.insert(at, bytes.substr(random() % reach, length));
+    }
     case 4:
     case 5:
     case 6:

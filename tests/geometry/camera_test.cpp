@@ -207,7 +207,7 @@ void CameraTest::FitNeverReflects() {
   std::mt19937 random(9);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 2000; ++i) {
-    const Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
+    const Eigen::Quaterniond q{normal(random), normal(random), normal(random), normal(random)};
     QVERIFY(misfit(found.rotation) <= misfit(q.normalized().toRotationMatrix()) + 1e-12);
   }
 }

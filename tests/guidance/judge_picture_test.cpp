@@ -229,8 +229,8 @@ void JudgePictureTest::NoiseIsNoMotionAndBreathIs() {
     for (std::size_t i = 0; i < now.size(); ++i) {
       const FollowedPoint& from = way == "slip" ? now[i] : start[i];
       const double down = along + (way == "one" && i == 20 ? 0.3 * frame : 0.0);
-      now[i].left = from.left + Eigen::Vector2d(noise(random), noise(random) + down);
-      now[i].right = from.right + Eigen::Vector2d(noise(random), noise(random) + down);
+      now[i].left = from.left + Eigen::Vector2d{noise(random), noise(random) + down};
+      now[i].right = from.right + Eigen::Vector2d{noise(random), noise(random) + down};
     }
     check.push(now, rig_, frame / 30.0);
     QCOMPARE(check.motion_left() < 0.0, k < first);

@@ -61,19 +61,19 @@ void PatientTest::initTestCase() {
 void PatientTest::RefusesOptionsOutOfRange() {
   PatientOptions options;
   options.spacing_mm.y() = 0.0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.spacing_mm.z() = std::nan("");
-  QVERIFY_EXCEPTION_THROWN(make_patient(options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, make_patient(options, RunContext()));
   options = {};
   options.noise_hu = -1.0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.blur_mm = 1e3;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.surface_spacing_mm = 0.0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   PatientOptions().validate();
 }
 
@@ -121,8 +121,8 @@ void PatientTest::LabelsAndSurfacesAgree() {
   Points places(400, 3);
   std::vector<Label> labels;
   for (Eigen::Index i = 0; i < places.rows(); ++i) {
-    const Eigen::Vector3i v(20 + static_cast<int>(random() % 180), 20 + static_cast<int>(random() % 160),
-                            10 + static_cast<int>(random() % 130));
+    const Eigen::Vector3i v{20 + static_cast<int>(random() % 180), 20 + static_cast<int>(random() % 160),
+                            10 + static_cast<int>(random() % 130)};
     places.row(i) = grid.p_in_ct(v.cast<double>()).xyz.transpose();
     labels.push_back(patient_.truth.voxels.at(v));
   }

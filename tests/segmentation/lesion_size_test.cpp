@@ -55,7 +55,7 @@ void LesionSizeTest::EllipsoidHasItsLongAxis() {
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 12; ++trial) {
     const Eigen::Matrix3d turn =
-        Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+        Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}
             .normalized()
             .matrix();
     const Eigen::Vector3d half(9.0 + trial, 14.0 + trial, 6.0);

@@ -63,8 +63,8 @@ void StatisticsTest::AgreesWithCountingVoxelByVoxelAfterEveryEdit() {
   QVERIFY(statistics.figures().empty());
   for (int edit = 0; edit < 40; ++edit) {
     const auto label = static_cast<Label>(random() % 4);
-    const Eigen::Vector3i low(static_cast<int>(random() % 60), static_cast<int>(random() % 35),
-                              static_cast<int>(random() % 30));
+    const Eigen::Vector3i low{static_cast<int>(random() % 60), static_cast<int>(random() % 35),
+                              static_cast<int>(random() % 30)};
     for (int k = 0; k < 10; ++k)
       for (int j = 0; j < 10; ++j)
         for (int i = 0; i < 10; ++i) labels.voxels.set(low + Eigen::Vector3i(i, j, k), label);
@@ -131,8 +131,8 @@ void StatisticsTest::LesionDiametersFollowEveryEdit() {
                                       structure::kParenchyma};
   for (int edit = 0; edit < 40; ++edit) {
     const Label label = codes[random() % 4];
-    const Eigen::Vector3i low(static_cast<int>(random() % 66), static_cast<int>(random() % 41),
-                              static_cast<int>(random() % 36));
+    const Eigen::Vector3i low{static_cast<int>(random() % 66), static_cast<int>(random() % 41),
+                              static_cast<int>(random() % 36)};
     for (int n = 0; n < 64; ++n) labels.voxels.set(low + Eigen::Vector3i(n % 4, n / 4 % 4, n / 16), label);
     statistics = LabelStatistics(labels, nullptr, &statistics);
     for (const auto& [code, figures] : statistics.figures()) {

@@ -124,7 +124,7 @@ class CalibrateTest : public QObject {
     unnamed.without = {""};
     const Board board = small_board();
     const BoardViews views = views_of(rendered::rig(), board, rendered::board_poses(board, 0.12));
-    QVERIFY_EXCEPTION_THROWN((void)calibrate(views, unnamed, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)calibrate(views, unnamed, RunContext()));
   }
 
   void ViewThatDoesNotFitIsProposedAndDropped() {
@@ -177,7 +177,7 @@ class CalibrateTest : public QObject {
           rendered::board_view(rig, board, poses[static_cast<std::size_t>(2 * i)], kNoise, random);
       if (i == bad) {
         for (Eigen::Vector2d& p : view.right.pixels)
-          p += Eigen::Vector2d(across + noise(random), down + noise(random));
+          p += Eigen::Vector2d{across + noise(random), down + noise(random)};
       }
       view.name = std::to_string(i);
       views.add_corners(view, rig.left.width, rig.left.height);

@@ -161,7 +161,7 @@ class ReconstructTest : public QObject {
     Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
     constexpr int kSamples = 40000;
     for (int i = 0; i < kSamples; ++i) {
-      const Eigen::Vector2d moved = left + Eigen::Vector2d(column * normal(random), row * normal(random));
+      const Eigen::Vector2d moved = left + Eigen::Vector2d{column * normal(random), row * normal(random)};
       const Eigen::Vector3d p =
           rectification.triangulate(moved, moved.y(), disparity + sigma * normal(random)) - middle;
       sampled += p * p.transpose() / kSamples;

@@ -60,8 +60,8 @@ inline glisson::stereo::BoardView board_view(const glisson::StereoRig& rig,
     const Eigen::Vector3d q = (rig.right_from_left * glisson::Point<glisson::CameraFrame>(p)).xyz;
     view.left.ids.push_back(id);
     view.right.ids.push_back(id);
-    view.left.pixels.push_back(rig.left.project(p) + Eigen::Vector2d(noise(random), noise(random)));
-    view.right.pixels.push_back(rig.right.project(q) + Eigen::Vector2d(noise(random), noise(random)));
+    view.left.pixels.push_back(rig.left.project(p) + Eigen::Vector2d{noise(random), noise(random)});
+    view.right.pixels.push_back(rig.right.project(q) + Eigen::Vector2d{noise(random), noise(random)});
   }
   return view;
 }

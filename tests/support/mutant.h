@@ -18,9 +18,11 @@ inline std::string mutant_of(std::string text, std::mt19937& random, unsigned lo
       case 1:
         text.erase(at, 1 + random() % longest);
         break;
-      case 2:
-        text.insert(at, text.substr(random() % text.size(), random() % (2 * longest)));
+      case 2: {  // each draw a statement: an argument list has no order
+        const std::size_t length = random() % (2 * longest);
+        text.insert(at, text.substr(random() % text.size(), length));
         break;
+      }
       default:
         text.resize(at + 1);
     }

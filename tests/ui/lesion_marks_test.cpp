@@ -104,7 +104,7 @@ void LesionMarksTest::TheRegionHoldsNineteenOfTwentyPlaces() {
   int inside = 0;
   for (int i = 0; i < kDraws; ++i) {
     const Eigen::Vector3d p =
-        lesion.centre + root * Eigen::Vector3d(normal(random), normal(random), normal(random));
+        lesion.centre + root * Eigen::Vector3d{normal(random), normal(random), normal(random)};
     const Eigen::Vector2d pixel = camera_.project(p);
     inside += region.containsPoint({pixel.x() + 0.5, pixel.y() + 0.5}, Qt::OddEvenFill);
   }

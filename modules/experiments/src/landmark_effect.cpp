@@ -228,7 +228,7 @@ const char* landmark_source_code(LandmarkSource source) {
 Points mistaken_notch(const PatientModel& model, std::mt19937_64 random) {
   const Eigen::RowVector3d notch = model.landmarks.umbilical_notch.row(0);
   const Points& nodes = model.mesh.vertices;
-  const Eigen::RowVector3d side(standard_normal(random), standard_normal(random), standard_normal(random));
+  const Eigen::RowVector3d side = standard_normal3(random).transpose();
   Points best(1, 3);
   double least = std::numeric_limits<double>::infinity();
   for (const int node : model.surface.node_of_vertex) {

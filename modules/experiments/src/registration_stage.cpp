@@ -65,14 +65,12 @@ Landmarks clicked(const Landmarks& found, const Landmarks& truth, std::uint64_t 
 /// A bent ellipsoid of the stomach's size before the camera: what faces it, next to the nearest point.
 LabelledCloud stomach(int points, std::mt19937_64 random) {
   const Eigen::Vector3d axes(0.085, 0.050, 0.042), middle(0.01, -0.01, 0.17);
-  Eigen::Vector3d axis(standard_normal(random), standard_normal(random), standard_normal(random));
+  const Eigen::Vector3d axis = standard_normal3(random);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2.0 * std::numbers::pi * uniform01(random), axis.normalized()).toRotationMatrix();
   std::vector<Eigen::Vector3d> seen;
   while (static_cast<int>(seen.size()) < 3 * points) {
-    const Eigen::Vector3d u =
-        Eigen::Vector3d(standard_normal(random), standard_normal(random), standard_normal(random))
-            .normalized();
+    const Eigen::Vector3d u = standard_normal3(random).normalized();
     Eigen::Vector3d p = axes.cwiseProduct(u);
     p.y() += 3.0 * p.x() * p.x();  // curved like a bean
     const Eigen::Vector3d normal = turn * u.cwiseQuotient(axes).normalized(), at = turn * p + middle;
@@ -87,7 +85,7 @@ LabelledCloud stomach(int points, std::mt19937_64 random) {
   LabelledCloud cloud;
   cloud.points.resize(points, 3);
   for (int i = 0; i < points; ++i) {
-    const Eigen::Vector3d noise(standard_normal(random), standard_normal(random), standard_normal(random));
+    const Eigen::Vector3d noise = standard_normal3(random);
     cloud.points.row(i) = (seen[static_cast<std::size_t>(i)] + 1e-3 * kNoise * noise).transpose();
   }
   cloud.sigma.assign(static_cast<std::size_t>(points), 1e-3 * kNoise);
@@ -223,7 +221,7 @@ LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t ha
   scope.rotation = (Eigen::AngleAxisd(kRoll * standard_normal(random), Eigen::Vector3d::UnitZ()) *
                     Eigen::AngleAxisd(kTurn, across))
                        .toRotationMatrix();
-  const Eigen::Vector3d shift(standard_normal(random), standard_normal(random), standard_normal(random));
+  const Eigen::Vector3d shift = standard_normal3(random);
   scope.translation = middle - scope.rotation * middle + kShift * shift;
   return without_known_noise(stage.by(handling).patch(seen(share, kNoise, seed), scope).cloud);
 }

@@ -18,11 +18,11 @@ Picture hardened(const Picture& picture, const Hardship& hardship, std::uint64_t
     cv::addWeighted(image, hardship.texture, coarse, 1.0 - hardship.texture, 0.0, image);
   }
   std::uniform_real_distribution<double> place(0.0, 1.0);
-  for (int i = 0; i < hardship.highlights; ++i)
-    cv::circle(
-        image,
-        cv::Point(static_cast<int>(place(random) * image.cols), static_cast<int>(place(random) * image.rows)),
-        3 + static_cast<int>(9.0 * place(random)), cv::Scalar::all(252), cv::FILLED, cv::LINE_AA);
+  for (int i = 0; i < hardship.highlights; ++i) {
+    const double size = place(random), down = place(random), across = place(random);
+    const cv::Point at(static_cast<int>(across * image.cols), static_cast<int>(down * image.rows));
+    cv::circle(image, at, 3 + static_cast<int>(9.0 * size), cv::Scalar::all(252), cv::FILLED, cv::LINE_AA);
+  }
   if (hardship.noise > 0.0) {
     std::normal_distribution<double> noise(0.0, hardship.noise);
     for (std::uint8_t* p = image.data; p != image.dataend; ++p)

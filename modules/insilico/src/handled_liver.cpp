@@ -42,8 +42,8 @@ void misdraw(TriangleMesh& surface, double deviation, Hand& hand) {
 
 /// A camera in front of and below the liver, looking at some place on it, turned at random about its axis.
 CameraFromCt look_at(const Points& surface, double distance, Hand& hand) {
-  const Eigen::Vector3d out =
-      Eigen::Vector3d(1.2 * hand.uniform() - 0.6, -1.0, 0.3 - 1.1 * hand.uniform()).normalized();
+  const double below = hand.uniform(), across = hand.uniform();
+  const Eigen::Vector3d out = Eigen::Vector3d(1.2 * across - 0.6, -1.0, 0.3 - 1.1 * below).normalized();
   Eigen::Vector3d at = surface.colwise().mean().transpose();
   at.x() += 0.08 * hand.uniform() - 0.04;
   at.z() += 0.04 * hand.uniform() - 0.02;

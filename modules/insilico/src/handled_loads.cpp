@@ -87,8 +87,8 @@ HandledLoads::HandledLoads(const BoundarySurface& surface, const Landmarks& land
       const int v = somewhere([&](const Eigen::Vector3d& p, const Eigen::Vector3d& n) {
         return n.dot(kAnterior) > 0.6 && clear(p);
       });
-      take(surface, mesh.vertex(v), 0.022 + 0.012 * hand.uniform(),
-           askew(-normals.row(v).transpose(), 0.5, hand));
+      const Eigen::Vector3d along = askew(-normals.row(v).transpose(), 0.5, hand);
+      take(surface, mesh.vertex(v), 0.022 + 0.012 * hand.uniform(), along);
       break;
     }
     case Handling::turned: {
@@ -105,8 +105,9 @@ HandledLoads::HandledLoads(const BoundarySurface& surface, const Landmarks& land
       for (std::size_t k = 0; k < count; ++k) {
         const int v = somewhere([&](const Eigen::Vector3d& p, const Eigen::Vector3d&) { return clear(p); });
         const double sign = hand.uniform() < 0.6 ? 1.0 : -1.0;
-        take(surface, mesh.vertex(v), 0.010 + 0.006 * hand.uniform(),
-             sign * (0.4 + 0.6 * hand.uniform()) * askew(normals.row(v).transpose(), 0.8, hand));
+        const Eigen::Vector3d along = askew(normals.row(v).transpose(), 0.8, hand);
+        const double pull = sign * (0.4 + 0.6 * hand.uniform());
+        take(surface, mesh.vertex(v), 0.010 + 0.006 * hand.uniform(), pull * along);
       }
       break;
     }

@@ -24,7 +24,8 @@ class CoilField {
   CoilField(double variation, std::uint64_t seed) : variation_(variation) {
     Dice dice(RunContext({}, nullptr, seed).random("insilico.coils"));
     for (Wave& wave : waves_) {
-      const Vec way(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
+      const double z = dice.between(-1, 1), y = dice.between(-1, 1), x = dice.between(-1, 1);
+      const Vec way(x, y, z);
       constexpr double kShortest = 320.0, kLongest = 640.0;  // mm
       wave.way = 2.0 * std::numbers::pi / dice.between(kShortest, kLongest) * way.normalized();
       wave.phase = dice.between(0.0, 2.0 * std::numbers::pi);

@@ -151,7 +151,8 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
     });
     const Eigen::Vector3d noise = 1e-3 * options.noise_mm * hand.tremor3();
     const bool outlier = hand.uniform() < options.outlier_share;
-    const Eigen::Vector3d astray = hand.tremor3().normalized() * (0.005 + 0.010 * hand.uniform());
+    const double far = 0.005 + 0.010 * hand.uniform();
+    const Eigen::Vector3d astray = far * hand.tremor3().normalized();
     if (hole) continue;
     cloud.points.row(kept++) = (p + (outlier ? astray : noise)).transpose();
     cloud.features.push_back(feature_of(p, margin, notch, options));

@@ -72,7 +72,8 @@ Vec centre_of(const LiverShape& shape, const LesionKind& kind, Dice& dice) {
     const Vec way = Vec(-1.0, dice.between(-0.9, 0.1), 0.0).normalized();
     return shape.cava_centre(z) + (shape.parameters().cava_radius + 0.92 * r) * way;
   }
-  const Vec middle = shape.point_inside(dice.between(-90.0, -40.0), dice.between(-40.0, 20.0), 0.5);
+  const double back = dice.between(-40.0, 20.0), side = dice.between(-90.0, -40.0);
+  const Vec middle = shape.point_inside(side, back, 0.5);
   if (kind.place == LesionKind::Place::deep) {
     for (int attempt = 0; attempt < 300; ++attempt) {
       const Vec p = dice.inside(shape.low(), shape.high());
@@ -80,8 +81,8 @@ Vec centre_of(const LiverShape& shape, const LesionKind& kind, Dice& dice) {
     }
     return middle;
   }
-  Vec way(dice.between(-1.0, 0.3), dice.between(-1.0, 0.4), dice.between(-0.5, 0.9));
-  way.normalize();
+  const double up = dice.between(-0.5, 0.9), y = dice.between(-1.0, 0.4), x = dice.between(-1.0, 0.3);
+  const Vec way = Vec(x, y, up).normalized();
   return surface_along(shape, middle, way) - 0.72 * r * way;
 }
 

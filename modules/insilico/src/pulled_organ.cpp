@@ -75,10 +75,14 @@ class Puller {
   }
 
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+  Eigen::Vector3d drawn(std::normal_distribution<double>& normal) {
+    const double z = normal(random_), y = normal(random_), x = normal(random_);
+    return {x, y, z};
+  }
   Eigen::Vector3d direction() {
     std::normal_distribution<double> normal;
     Eigen::Vector3d d;
-    do d = Eigen::Vector3d(normal(random_), normal(random_), normal(random_));
+    do d = drawn(normal);
     while (d.norm() < 1e-3);
     return d.normalized();
   }
@@ -223,7 +227,7 @@ class Puller {
       const int t = seen_[static_cast<std::size_t>(which(random_))];
       double a = uniform(0.0, 1.0), b = uniform(0.0, 1.0);
       if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
-      const Eigen::Vector3d noise(normal(random_), normal(random_), normal(random_));
+      const Eigen::Vector3d noise = drawn(normal);
       cloud.row(i) = ((1.0 - a - b) * now.vertex(now.triangles(t, 0)) + a * now.vertex(now.triangles(t, 1)) +
                       b * now.vertex(now.triangles(t, 2)) + 1e-3 * options_.noise_mm * noise)
                          .transpose();

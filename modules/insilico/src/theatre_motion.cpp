@@ -144,9 +144,9 @@ Cancellable<Base> find_base(Solver& solver, const TheatreOptions& options, const
 Rigid<CtFrame, CtFrame> find_posture(const Points& rest, const Points& moved, const Eigen::Vector3d& cava,
                                      double wanted, std::mt19937_64& random) {
   const auto uniform = [&] { return 2.0 * uniform01(random) - 1.0; };
-  const Eigen::Vector3d axis =
-      Eigen::Vector3d(0.4 * uniform() + 0.5, 0.4 * uniform(), 0.4 * uniform() - 0.5).normalized();
-  const Eigen::Vector3d way = Eigen::Vector3d(0.4 * uniform(), 0.3 * uniform() - 0.4, -1.0).normalized();
+  const double z = uniform(), y = uniform(), x = uniform(), down = uniform(), across = uniform();
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.4 * x + 0.5, 0.4 * y, 0.4 * z - 0.5).normalized();
+  const Eigen::Vector3d way = Eigen::Vector3d(0.4 * across, 0.3 * down - 0.4, -1.0).normalized();
   const auto posture = [&](double amount) {
     Rigid<CtFrame, CtFrame> change;
     change.rotation = Eigen::AngleAxisd(amount * 12.0 * std::numbers::pi / 180.0, axis).toRotationMatrix();

@@ -219,8 +219,8 @@ std::vector<int> choose(const LabelledCloud& cloud, int count) {
 
 Eigen::Matrix3d random_rotation(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
-  return q.normalized().toRotationMatrix();
+  const double z = normal(random), y = normal(random), x = normal(random), w = normal(random);
+  return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
 }
 
 /// Start poses. Every one lays a place of the model that could be seen onto the middle of the cloud, facing
