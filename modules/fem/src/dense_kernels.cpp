@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unaligned_vector.h"
+
 // One body, compiled three times: always_inline templates on the vector type, inside functions that name
-// their target. Loads are unaligned.
-#define GLISSON_INLINE inline __attribute__((always_inline))
+// their target.
 
 namespace glisson::fem {
 namespace {
-
-template <int Bytes>
-struct Vector {
-  typedef double type __attribute__((vector_size(Bytes), aligned(8), may_alias));
-};
 
 constexpr int kPanel = 12;               ///< columns whose rows stay in registers
 constexpr int kDeep = 192, kTall = 768;  ///< of a piece of a product: about a megabyte
@@ -28,12 +24,11 @@ GLISSON_INLINE void tile(double* c, int stride_c, const double* a, const double*
 #pragma GCC unroll 8
   for (int j = 0; j < NR; ++j)
 #pragma GCC unroll 8
-    for (int i = 0; i < MV; ++i)
-      sum[j][i] = *reinterpret_cast<const V*>(c + static_cast<long>(j) * stride_c + i * kLanes);
+    for (int i = 0; i < MV; ++i) sum[j][i] = at<Bytes>(c + static_cast<long>(j) * stride_c + i * kLanes).v;
   for (int k = 0; k < depth; ++k, a += stride, b += stride) {
     V rows[MV];
 #pragma GCC unroll 8
-    for (int i = 0; i < MV; ++i) rows[i] = *reinterpret_cast<const V*>(a + i * kLanes);
+    for (int i = 0; i < MV; ++i) rows[i] = at<Bytes>(a + i * kLanes).v;
 #pragma GCC unroll 8
     for (int j = 0; j < NR; ++j) {
       const double factor = b[j];
@@ -44,8 +39,7 @@ GLISSON_INLINE void tile(double* c, int stride_c, const double* a, const double*
 #pragma GCC unroll 8
   for (int j = 0; j < NR; ++j)
 #pragma GCC unroll 8
-    for (int i = 0; i < MV; ++i)
-      *reinterpret_cast<V*>(c + static_cast<long>(j) * stride_c + i * kLanes) = sum[j][i];
+    for (int i = 0; i < MV; ++i) at<Bytes>(c + static_cast<long>(j) * stride_c + i * kLanes).v = sum[j][i];
 }
 
 /// The same for `rows` rows (a multiple of 8) in the tallest tiles that fit the registers.
@@ -85,11 +79,11 @@ GLISSON_INLINE void solve_rows(double* panel, int stride, int rows, const double
     V x[N];
 #pragma GCC unroll 12
     for (int j = 0; j < N; ++j) {
-      V value = *reinterpret_cast<const V*>(panel + static_cast<long>(j) * stride + i);
+      V value = at<Bytes>(panel + static_cast<long>(j) * stride + i).v;
 #pragma GCC unroll 12
       for (int k = 0; k < j; ++k) value -= x[k] * l[j][k];
       x[j] = value * inverse[j];
-      *reinterpret_cast<V*>(panel + static_cast<long>(j) * stride + i) = x[j];
+      at<Bytes>(panel + static_cast<long>(j) * stride + i).v = x[j];
     }
   }
 }
@@ -224,8 +218,7 @@ GLISSON_INLINE void backward(const double* panel, int stride, int columns, int r
     const double* a = column + columns;
     V sums{};
     int i = 0;
-    for (; i + 8 <= rows; i += 8)
-      sums += *reinterpret_cast<const V*>(a + i) * *reinterpret_cast<const V*>(x2 + i);
+    for (; i + 8 <= rows; i += 8) sums += at<64>(a + i).v * at<64>(x2 + i).v;
     double sum = 0.0;
     for (int k = 0; k < 8; ++k) sum += sums[k];
     for (; i < rows; ++i) sum += a[i] * x2[i];
@@ -246,13 +239,12 @@ GLISSON_INLINE void subtract_rows(double* y, const double* x, const double* fact
 #pragma GCC unroll 8
     for (int m = 0; m < M; ++m)
 #pragma GCC unroll 8
-      for (int v = 0; v < kVectors; ++v)
-        sum[m][v] = *reinterpret_cast<const V*>(y + m * kSolveWidth + piece + v * kLanes);
+      for (int v = 0; v < kVectors; ++v) sum[m][v] = at<Bytes>(y + m * kSolveWidth + piece + v * kLanes).v;
     const double *row = x + piece, *here = factors;
     for (int k = 0; k < depth; ++k, row += kSolveWidth, here += step_k) {
       V right[kVectors];
 #pragma GCC unroll 8
-      for (int v = 0; v < kVectors; ++v) right[v] = *reinterpret_cast<const V*>(row + v * kLanes);
+      for (int v = 0; v < kVectors; ++v) right[v] = at<Bytes>(row + v * kLanes).v;
 #pragma GCC unroll 8
       for (int m = 0; m < M; ++m) {
         const double factor = here[m * step_m];
@@ -263,8 +255,7 @@ GLISSON_INLINE void subtract_rows(double* y, const double* x, const double* fact
 #pragma GCC unroll 8
     for (int m = 0; m < M; ++m)
 #pragma GCC unroll 8
-      for (int v = 0; v < kVectors; ++v)
-        *reinterpret_cast<V*>(y + m * kSolveWidth + piece + v * kLanes) = sum[m][v];
+      for (int v = 0; v < kVectors; ++v) at<Bytes>(y + m * kSolveWidth + piece + v * kLanes).v = sum[m][v];
   }
 }
 

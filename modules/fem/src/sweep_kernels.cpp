@@ -3,16 +3,16 @@
 
 #include <algorithm>
 
-#define GLISSON_INLINE inline __attribute__((always_inline))
+#include "unaligned_vector.h"
 
 namespace glisson::fem {
 namespace {
 
 // A column of a block in one vector: its fourth lane belongs to the next column and is never used.
-typedef double V __attribute__((vector_size(32), aligned(8), may_alias));
+using V = Vector<32>::type;
 
-GLISSON_INLINE const V& at(const double* p) { return *reinterpret_cast<const V*>(p); }
-GLISSON_INLINE V& at(double* p) { return *reinterpret_cast<V*>(p); }
+GLISSON_INLINE const Vector<32>::Unaligned& column(const double* p) { return at<32>(p); }
+GLISSON_INLINE Vector<32>::Unaligned& column(double* p) { return at<32>(p); }
 
 /// Three numbers, each the sum of a vector's first three lanes, and a zero.
 GLISSON_INLINE void sums(const V* m, V& result) {
@@ -24,12 +24,12 @@ GLISSON_INLINE void forward(int n, const int* start, const int* rows, const doub
                             const double* inverse, double* r, double* x) {
   for (int c = 0; c < n; ++c) {
     const double *rc = r + 4L * c, *d = inverse + 12L * c;
-    const V xc = at(d) * rc[0] + at(d + 4) * rc[1] + at(d + 8) * rc[2];
-    at(x + 4L * c) = xc;
+    const V xc = column(d).v * rc[0] + column(d + 4).v * rc[1] + column(d + 8).v * rc[2];
+    column(x + 4L * c).v = xc;
     const double x0 = xc[0], x1 = xc[1], x2 = xc[2];
     for (int k = start[c] + 1; k < start[c + 1]; ++k) {
       const double* b = blocks + 9L * k;
-      at(r + 4L * rows[k]) -= at(b) * x0 + at(b + 3) * x1 + at(b + 6) * x2;
+      column(r + 4L * rows[k]).v -= column(b).v * x0 + column(b + 3).v * x1 + column(b + 6).v * x2;
     }
   }
 }
@@ -40,14 +40,14 @@ GLISSON_INLINE void upper(int n, const int* start, const int* rows, const double
     V m[3] = {};
     for (int k = start[c] + 1; k < start[c + 1]; ++k) {
       const double* b = blocks + 9L * k;
-      const V xr = at(x + 4L * rows[k]);
-      m[0] -= at(b) * xr;
-      m[1] -= at(b + 3) * xr;
-      m[2] -= at(b + 6) * xr;
+      const V xr = column(x + 4L * rows[k]).v;
+      m[0] -= column(b).v * xr;
+      m[1] -= column(b + 3).v * xr;
+      m[2] -= column(b + 6).v * xr;
     }
     V sum;
     sums(m, sum);
-    at(y + 4L * c) = sum;
+    column(y + 4L * c).v = sum;
   }
 }
 
@@ -55,20 +55,21 @@ GLISSON_INLINE void subtract(int n, const int* start, const int* rows, const dou
                              double* r) {
   for (int c = 0; c < n; ++c) {
     const double* diagonal = blocks + 9L * start[c];
-    const V xc = at(x + 4L * c);
+    const V xc = column(x + 4L * c).v;
     const double x0 = xc[0], x1 = xc[1], x2 = xc[2];
-    V m[3] = {at(diagonal) * xc, at(diagonal + 3) * xc, at(diagonal + 6) * xc};
+    V m[3] = {column(diagonal).v * xc, column(diagonal + 3).v * xc, column(diagonal + 6).v * xc};
     for (int k = start[c] + 1; k < start[c + 1]; ++k) {
       const double* b = blocks + 9L * k;
-      const V first = at(b), second = at(b + 3), third = at(b + 6), xr = at(x + 4L * rows[k]);
+      const V first = column(b).v, second = column(b + 3).v, third = column(b + 6).v,
+              xr = column(x + 4L * rows[k]).v;
       m[0] += first * xr;
       m[1] += second * xr;
       m[2] += third * xr;
-      at(r + 4L * rows[k]) -= first * x0 + second * x1 + third * x2;
+      column(r + 4L * rows[k]).v -= first * x0 + second * x1 + third * x2;
     }
     V sum;
     sums(m, sum);
-    at(r + 4L * c) -= sum;
+    column(r + 4L * c).v -= sum;
   }
 }
 
@@ -78,22 +79,22 @@ GLISSON_INLINE void backward(int n, const int* start, const int* rows, const dou
     V m[3] = {};
     for (int k = start[c] + 1; k < start[c + 1]; ++k) {
       const double* b = blocks + 9L * k;
-      const V xr = at(x + 4L * rows[k]);
-      m[0] += at(b) * xr;
-      m[1] += at(b + 3) * xr;
-      m[2] += at(b + 6) * xr;
+      const V xr = column(x + 4L * rows[k]).v;
+      m[0] += column(b).v * xr;
+      m[1] += column(b + 3).v * xr;
+      m[2] += column(b + 6).v * xr;
     }
     V rest;
     sums(m, rest);
-    rest = at(r + 4L * c) - rest;
+    rest = column(r + 4L * c).v - rest;
     const double* d = inverse + 12L * c;
-    const V xc = at(d) * rest[0] + at(d + 4) * rest[1] + at(d + 8) * rest[2];
-    at(x + 4L * c) = xc;
-    at(y + 4L * c) = V{};
+    const V xc = column(d).v * rest[0] + column(d + 4).v * rest[1] + column(d + 8).v * rest[2];
+    column(x + 4L * c).v = xc;
+    column(y + 4L * c).v = V{};
     const double x0 = xc[0], x1 = xc[1], x2 = xc[2];
     for (int k = start[c] + 1; k < start[c + 1]; ++k) {  // the same blocks, still in the cache
       const double* b = blocks + 9L * k;
-      at(y + 4L * rows[k]) += at(b) * x0 + at(b + 3) * x1 + at(b + 6) * x2;
+      column(y + 4L * rows[k]).v += column(b).v * x0 + column(b + 3).v * x1 + column(b + 6).v * x2;
     }
   }
 }
