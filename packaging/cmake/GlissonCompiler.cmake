@@ -17,8 +17,11 @@ target_compile_options(glisson_flags INTERFACE
   -ffp-contract=off)
 if(GLISSON_PCH)
   target_compile_options(glisson_flags INTERFACE -Winvalid-pch)
-  if(GLISSON_CCACHE)
+  if(GLISSON_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(glisson_flags INTERFACE -fpch-preprocess)
+  elseif(GLISSON_CCACHE)
+    # A precompiled header from the cache is older than the headers of a fresh clone; that they are the same is known.
+    target_compile_options(glisson_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
   endif()
 endif()
 

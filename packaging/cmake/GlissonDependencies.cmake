@@ -17,6 +17,17 @@ find_package(ITK 5.2 REQUIRED COMPONENTS
   ITKSmoothing ITKThresholding ITKMathematicalMorphology ITKBinaryMathematicalMorphology
   ITKLabelMap ITKLevelSets ITKRegionGrowing ITKConnectedComponents ITKDistanceMap ITKFastMarching
   ITKCurvatureFlow ITKAnisotropicSmoothing ITKAntiAlias ITKBiasCorrection)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # Debian's ITK describes what GCC can, and stops every other compiler. Clang can all of it, and is told so first.
+  find_path(GLISSON_ITK_HEADERS itk_compiler_detection.h HINTS ${ITK_INCLUDE_DIRS} REQUIRED)
+  file(READ "${GLISSON_ITK_HEADERS}/itk_compiler_detection.h" detection)
+  string(REPLACE "#  if ITK_COMPILER_IS_GNU\n" "#  if ITK_COMPILER_IS_Clang\n" detection "${detection}")
+  file(READ "${GLISSON_ITK_HEADERS}/compilers/ITK_COMPILER_INFO_GNU_CXX.h" description)
+  string(REPLACE "(__GNUC__ * 100 + __GNUC_MINOR__)" "1202" description "${description}")
+  string(REPLACE "#    include \"compilers/ITK_COMPILER_INFO_GNU_CXX.h\"" "${description}" detection "${detection}")
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/itk_compiler_detection.h" CONTENT "${detection}" @ONLY)
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${CMAKE_BINARY_DIR}/itk_compiler_detection.h>")
+endif()
 find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d aruco dnn features2d video videoio)
 find_package(CGAL 5.5 REQUIRED)
 find_package(embree 3.13 REQUIRED)

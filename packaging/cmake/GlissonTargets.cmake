@@ -1,10 +1,11 @@
 # glisson_module(NAME fem SOURCES ... [PUBLIC ...] [PRIVATE ...] [NO_PCH])
 #   a static library glisson::fem with include root modules/fem/include.
 # glisson_ui(NAME shell ... [NO_WIDGETS]) the same under ui/, with moc.
-# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [NO_PCH])
+# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [COMPUTES])
 #   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
 #   LONG begins it before the others, so that none runs on alone at the end. INSIDE names modules whose headers in src/
-#   it reads: what is tested of them is not public.
+#   it reads: what is tested of them is not public. COMPUTES optimises it, because it works on millions of voxels, pixels
+#   or points itself: of others half the compiler's time would go into code that runs once.
 
 # Every unit of a target reads what the owner of a precompiled header built.
 function(_glisson_reuse_pch target owner)
@@ -45,7 +46,7 @@ function(glisson_ui)
 endfunction()
 
 function(glisson_test)
-  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES;INSIDE" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;COMPUTES" "NAME;TIMEOUT" "SOURCES;LIBRARIES;INSIDE" ${ARGN})
   string(REPLACE "/" "_" target "${ARG_NAME}_test")
   get_filename_component(stem "${ARG_NAME}" NAME)
   # A test holds its class itself, so moc has one file to read: automoc would add a unit and a scan to each program.
@@ -62,10 +63,13 @@ function(glisson_test)
   if(ARG_NAME MATCHES "^(ui|app)/")
     set(pch glisson_widgets_test_pch)
     target_link_libraries(${target} PRIVATE Qt6::Widgets)
+  elseif(ARG_COMPUTES)
+    set(pch glisson_computing_test_pch)
   endif()
-  if(NOT ARG_NO_PCH)
-    _glisson_reuse_pch(${target} ${pch})
+  if(NOT ARG_COMPUTES)
+    target_compile_options(${target} PRIVATE ${GLISSON_RUNS_ONCE})
   endif()
+  _glisson_reuse_pch(${target} ${pch})
   if(ARG_DISPLAY)
     find_program(GLISSON_XVFB_RUN xvfb-run REQUIRED)
     add_test(NAME ${ARG_NAME} COMMAND ${GLISSON_XVFB_RUN} -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${target}>)
@@ -98,6 +102,9 @@ function(glisson_test)
   endif()
 endfunction()
 
+# Of a test that computes nothing itself. Sanitizers and debuggers have their own.
+set(GLISSON_RUNS_ONCE "$<$<CONFIG:Release>:-O0>")
+
 # What tests are compiled with. Qt6::Test would define the folder of each test, and no two could share a header.
 add_library(glisson_test_flags INTERFACE)
 target_link_libraries(glisson_test_flags INTERFACE glisson_flags Eigen3::Eigen Qt6::Core $<LINK_ONLY:Qt6::Test>)
@@ -108,13 +115,14 @@ target_compile_definitions(glisson_test_flags INTERFACE QT_TESTLIB_LIB)
 # The headers that nearly every unit reads, compiled once for modules, for what has widgets, and for the tests of each:
 # also our own of the ground floor (over two thirds of all units read them), and the engine's for those above it. Units
 # include what they use all the same: presets without precompiled headers compile them.
-# Never <QtWidgets> or <QtTest> whole: what the inline functions of a header call is instantiated anew in each unit that
+# Never <QtWidgets> or <QtTest> whole: GCC instantiates what the inline functions of a header call anew in each unit that
 # reads the precompiled one (2.5 s of processor time for an empty test with both, 1.1 s with those below).
 function(_glisson_pch target)
-  cmake_parse_arguments(ARG "ENGINE" "" "LIBRARIES;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "ENGINE" "" "LIBRARIES;HEADERS;OPTIONS" ${ARGN})
   file(WRITE "${CMAKE_BINARY_DIR}/${target}.cpp" "// owns the precompiled header\n")
   add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/${target}.cpp")
   target_link_libraries(${target} PRIVATE glisson_flags Eigen3::Eigen ${ARG_LIBRARIES})
+  target_compile_options(${target} PRIVATE ${ARG_OPTIONS})
   set(ours core/error.h core/run_context.h geometry/camera.h geometry/topology.h volume/label_volume.h)
   set(rooms core geometry volume)
   if(ARG_ENGINE)
@@ -136,7 +144,9 @@ if(GLISSON_PCH)
     <QObject> <QPainter> <QProperty> <QPushButton> <QString> <QStringList> <QTimer> <QVBoxLayout> <QWidget>)
   _glisson_pch(glisson_widgets_pch ENGINE LIBRARIES Qt6::Widgets HEADERS ${widgets})
   if(GLISSON_TESTS)
-    _glisson_pch(glisson_test_pch LIBRARIES glisson_test_flags HEADERS <QTest>)
-    _glisson_pch(glisson_widgets_test_pch ENGINE LIBRARIES glisson_test_flags Qt6::Widgets HEADERS ${widgets} <QTest>)
+    _glisson_pch(glisson_computing_test_pch LIBRARIES glisson_test_flags HEADERS <QTest>)
+    _glisson_pch(glisson_test_pch LIBRARIES glisson_test_flags HEADERS <QTest> OPTIONS ${GLISSON_RUNS_ONCE})
+    _glisson_pch(glisson_widgets_test_pch ENGINE LIBRARIES glisson_test_flags Qt6::Widgets HEADERS ${widgets} <QTest>
+      OPTIONS ${GLISSON_RUNS_ONCE})
   endif()
 endif()

@@ -178,10 +178,10 @@ class BuildTest : public QObject {
     QVERIFY(!refused(tiny).empty());
     BuildOptions options;
     options.share = 0.0;
-    QVERIFY_EXCEPTION_THROWN(build(members_, test::built_in(), options, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, build(members_, test::built_in(), options, RunContext()));
     options = {};
     options.threads = 3;
-    QVERIFY_EXCEPTION_THROWN(build(members_, test::built_in(), options, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, build(members_, test::built_in(), options, RunContext()));
   }
 
  private:

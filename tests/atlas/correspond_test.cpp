@@ -131,7 +131,7 @@ class CorrespondTest : public QObject {
     TriangleMesh mirrored = liver_;
     mirrored.vertices.col(axis) *= -1.0;
     mirrored.triangles.col(1).swap(mirrored.triangles.col(2));
-    QVERIFY_EXCEPTION_THROWN(transfer(known(), mirrored, {}, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, transfer(known(), mirrored, {}, RunContext()));
   }
   /// The right lobe alone looks much like its mirror image, turned; it is no mirrored liver and not turned.
   void halfALiverIsNotCalledMirrored() {
@@ -149,8 +149,8 @@ class CorrespondTest : public QObject {
     QVERIFY(!correspond(known().shape, known().triangles, liver_, RunContext({}, flag, 1)));
   }
   void nothingIsRefused() {
-    QVERIFY_EXCEPTION_THROWN(correspond(known().shape, known().triangles, {}, RunContext()), InputError);
-    QVERIFY_EXCEPTION_THROWN(transfer(known(), {}, {}, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, correspond(known().shape, known().triangles, {}, RunContext()));
+    QVERIFY_THROWS_EXCEPTION(InputError, transfer(known(), {}, {}, RunContext()));
   }
 
  private:

@@ -85,7 +85,7 @@ class OrientationTest : public QObject {
     TriangleMesh in_other_units = image_of(livers_[0], 1);
     in_other_units.vertices *= 1e3;
     QCOMPARE(doubts_of(in_other_units), Doubts());
-    QVERIFY_EXCEPTION_THROWN(image_misfits(known(), {}, RunContext()), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, image_misfits(known(), {}, RunContext()));
   }
   void cancelEndsIt() {
     auto flag = std::make_shared<CancelFlag>();

@@ -120,10 +120,10 @@ class ShapeModelTest : public QObject {
     QVERIFY((weighted.variances.normalized() - repeated.variances.normalized()).norm() < 1e-9);
   }
   void shapesThatDoNotCorrespondAreRefused() {
-    QVERIFY_EXCEPTION_THROWN(fit_similarity(cloud(1, 4), cloud(1, 5)), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(align({cloud(1, 4)}, {1.0}, cloud(1, 4)), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(align({cloud(1, 4), cloud(1, 5)}, {1.0, 1.0}, cloud(1, 4)), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(shape_model({cloud(1, 4), cloud(2, 4)}, {1.0, 1.0}, 1.5), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, fit_similarity(cloud(1, 4), cloud(1, 5)));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, align({cloud(1, 4)}, {1.0}, cloud(1, 4)));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, align({cloud(1, 4), cloud(1, 5)}, {1.0, 1.0}, cloud(1, 4)));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, shape_model({cloud(1, 4), cloud(2, 4)}, {1.0, 1.0}, 1.5));
   }
 };
 

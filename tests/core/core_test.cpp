@@ -75,7 +75,7 @@ void CoreTest::CodesGoBothWays() {
   QCOMPARE(value_in(kCodes, "two"), std::optional<int>(2));
   QVERIFY(!value_in(kCodes, "three"));
   QCOMPARE(std::string(code_in(kCodes, 1)), std::string("one"));
-  QVERIFY_EXCEPTION_THROWN(code_in(kCodes, 3), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, code_in(kCodes, 3));
   for (const LengthUnit unit : kLengthUnits) QVERIFY(unit_named(unit_code(unit)) == unit);
   QVERIFY(!unit_named("km"));
 }
@@ -90,7 +90,7 @@ void CoreTest::InputErrorIsOneSentenceInOrder() {
 
 void CoreTest::RequireThrowsOnlyWhenBroken() {
   require(true, "fine");
-  QVERIFY_EXCEPTION_THROWN(require(false, "broken"), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, require(false, "broken"));
 }
 
 void CoreTest::SamePurposeAndSeedGiveTheSameNumbers() {
@@ -186,7 +186,7 @@ void CoreTest::MissingFileAndFolderAreRefused() {
   TemporaryFolder folder;
   QVERIFY(test::complaint<Error>([&] { read_file(folder.path() / "absent"); }).find("absent") !=
           std::string::npos);
-  QVERIFY_EXCEPTION_THROWN(read_file(folder.path()), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, read_file(folder.path()));
 }
 
 void CoreTest::WriteReplacesAndLeavesNothingBehind() {
@@ -201,22 +201,22 @@ void CoreTest::FailedVerificationLeavesTheOldFile() {
   TemporaryFolder folder;
   const fs::path path = folder.path() / "x.nrrd";
   put(path, "old");
-  QVERIFY_EXCEPTION_THROWN(write_file_atomically(
-                               path, [](const fs::path& to) { put(to, "half"); },
-                               [&](const fs::path& written) {
-                                 QCOMPARE(written.extension(), fs::path(".nrrd"));  // formats go by it
-                                 throw FileError("does not read back");
-                               }),
-                           FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, write_file_atomically(
+                                          path, [](const fs::path& to) { put(to, "half"); },
+                                          [&](const fs::path& written) {
+                                            QCOMPARE(written.extension(),
+                                                     fs::path(".nrrd"));  // formats go by it
+                                            throw FileError("does not read back");
+                                          }));
   QCOMPARE(read_file(path), std::string("old"));
   QCOMPARE(entries(folder.path()), std::size_t{1});
 }
 
 void CoreTest::WriterThatWritesNothingIsNoticed() {
   TemporaryFolder folder;
-  QVERIFY_EXCEPTION_THROWN(write_file_atomically(
-                               folder.path() / "x", [](const fs::path&) {}, [](const fs::path&) {}),
-                           FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError,
+                           write_file_atomically(
+                               folder.path() / "x", [](const fs::path&) {}, [](const fs::path&) {}));
   QCOMPARE(entries(folder.path()), std::size_t{0});
 }
 
@@ -277,7 +277,7 @@ void CoreTest::TemporaryFolderGoesAway() {
     QVERIFY(fs::exists(path));
   }
   QVERIFY(!fs::exists(path));
-  QVERIFY_EXCEPTION_THROWN(TemporaryFolder("/no/such/place"), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, TemporaryFolder("/no/such/place"));
 }
 
 void CoreTest::JsonErrorNamesLineAndColumn() {
@@ -285,7 +285,7 @@ void CoreTest::JsonErrorNamesLineAndColumn() {
   put(folder.path() / "x.json", "{\n  \"a\": 1,\n  \"b\" 2\n}\n");
   const std::string message = test::complaint<Error>([&] { read_json(folder.path() / "x.json"); });
   QVERIFY(message.find("line 3, column 7") != std::string::npos);
-  QVERIFY_EXCEPTION_THROWN(read_json(folder.path() / "absent.json"), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, read_json(folder.path() / "absent.json"));
 }
 
 void CoreTest::JsonLinesAreRefusedByTheirNumber() {

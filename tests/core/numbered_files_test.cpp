@@ -25,7 +25,7 @@ class NumberedFilesTest : public QObject {
   void LostOnesDoNotHideThoseAfterThem() {
     QTemporaryDir folder;
     const auto files = NumberedFiles::of((folder.path() + "/c%02d.ply").toStdString());
-    QVERIFY_EXCEPTION_THROWN(files->existing(), FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError, files->existing());
     for (const int number : {3, 4, 5, 7, 1007, 2009}) {
       QFile file(QString::fromStdString(files->at(number).string()));
       QVERIFY(file.open(QIODevice::WriteOnly));

@@ -61,25 +61,25 @@ void StatisticsTest::ASpreadIsMedianAndScaledDeviation() {
 
 void StatisticsTest::EmptyListsAreRefused() {
   const std::vector<double> none;
-  QVERIFY_EXCEPTION_THROWN(upper_median(none), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(robust_spread(none), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(median_absolute_deviation(none, 0.0), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(lower_percentile(none, 0.5), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(upper_percentile(none, 0.5), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(interpolated_percentile(none, 0.5), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, upper_median(none));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, robust_spread(none));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, median_absolute_deviation(none, 0.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, lower_percentile(none, 0.5));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, upper_percentile(none, 0.5));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, interpolated_percentile(none, 0.5));
 }
 
 void StatisticsTest::SharesOutsideZeroToOneAreRefused() {
   const std::vector<double> values = {1.0, 2.0};
   for (const double share : {-0.1, 1.1, std::nan("")}) {
-    QVERIFY_EXCEPTION_THROWN(lower_percentile(values, share), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(upper_percentile(values, share), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(interpolated_percentile(values, share), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, lower_percentile(values, share));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, upper_percentile(values, share));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, interpolated_percentile(values, share));
   }
 }
 
 void StatisticsTest::RanksOutsideTheListAreRefused() {
-  QVERIFY_EXCEPTION_THROWN(at_rank(std::vector{1.0, 2.0}, 2), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, at_rank(std::vector{1.0, 2.0}, 2));
 }
 
 QTEST_APPLESS_MAIN(StatisticsTest)

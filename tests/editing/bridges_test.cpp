@@ -267,11 +267,11 @@ void BridgesTest::ATreeThatTapersIsNotSuspected() {
 void BridgesTest::BadClicksAreRefused() {
   const LabelVolume labels = y_tree();
   // Far from the tree; no such tree; in the root itself.
-  QVERIFY_EXCEPTION_THROWN(reassign_branch(labels, kPortal, kHepatic, at(grid(), {70, 10, 10})), InputError);
-  QVERIFY_EXCEPTION_THROWN(reassign_branch(labels, kHepatic, kPortal, at(grid(), {20, 36, 58})), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, reassign_branch(labels, kPortal, kHepatic, at(grid(), {70, 10, 10})));
+  QVERIFY_THROWS_EXCEPTION(InputError, reassign_branch(labels, kHepatic, kPortal, at(grid(), {20, 36, 58})));
   LabelVolume ball(grid());
   draw(ball, {{40, 36, 40}, {40, 36, 40.1}, 6.0}, kPortal);
-  QVERIFY_EXCEPTION_THROWN(reassign_branch(ball, kPortal, kHepatic, at(grid(), {40, 36, 40})), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, reassign_branch(ball, kPortal, kHepatic, at(grid(), {40, 36, 40})));
 }
 
 QTEST_APPLESS_MAIN(BridgesTest)

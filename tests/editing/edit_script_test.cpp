@@ -185,7 +185,7 @@ void EditScriptTest::FilesThatAreNoScriptsAreRefused() {
   QCOMPARE(refusal_of(json::parse("{\"edits\": [3]}")).first, std::string("edit 1"));
   QCOMPARE(refusal_of(json::parse("{\"edits\": []}")).first, std::string());
   const TemporaryFolder folder;
-  QVERIFY_EXCEPTION_THROWN(read_edits(folder.path() / "absent.json"), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, read_edits(folder.path() / "absent.json"));
 }
 
 void EditScriptTest::SettingsOutOfRangeAreRefused_data() {
@@ -286,7 +286,7 @@ void EditScriptTest::AnotherGridIsRefused() {
   const std::vector<VolumeGrid> grids = awkward_grids();
   const Image image = image_of(grids[0], [](const Eigen::Vector3i&) { return 0.0; });
   const LabelMap labels{LabelVolume(grids[1]), {}};
-  QVERIFY_EXCEPTION_THROWN(apply_edit(labels, image, {FillHoles(), {}}, RunContext()), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, apply_edit(labels, image, {FillHoles(), {}}, RunContext()));
 }
 
 QTEST_APPLESS_MAIN(EditScriptTest)

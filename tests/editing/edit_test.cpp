@@ -85,7 +85,7 @@ void EditTest::IslandsByClickAndSplit() {
   QCOMPARE(split.labels.infos.size(), std::size_t(3));
   tool.operation = Islands::Operation::keep_clicked;
   tool.p_in_ct = {0.020, 0.020, 0.020};
-  QVERIFY_EXCEPTION_THROWN(applied(labels, image, tool), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, applied(labels, image, tool));
 }
 
 void EditTest::SplittingManyIslandsSaysWhatWasLeft() {

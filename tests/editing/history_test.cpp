@@ -250,12 +250,12 @@ void HistoryTest::RefusesStepsFartherBackAndUndoneOnesOfOtherLabels() {
 
 void HistoryTest::UndoAndRedoNeedAStep() {
   const LabelMap labels = blank({4, 4, 4});
-  QVERIFY_EXCEPTION_THROWN(History().undo(labels), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(History().redo(labels), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(History().undo_step(), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(History().redo_step(), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(History().undo_name(), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(History().redo_name(), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, History().undo(labels));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, History().redo(labels));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, History().undo_step());
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, History().redo_step());
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, History().undo_name());
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, History().redo_name());
 }
 
 QTEST_APPLESS_MAIN(HistoryTest)

@@ -169,9 +169,9 @@ void LevelTracingTest::OutsideTheVolumeNothingIsTraced() {
   const Image image = hills(grid);
   LevelTracer tracer;
   const Point<CtFrame> away(grid.p_in_ct({-3.0, 5.0, 5.0}).xyz);
-  QVERIFY_EXCEPTION_THROWN(tracer.trace(image, 0, away), InputError);
-  QVERIFY_EXCEPTION_THROWN(tracer.trace(image, 3, Point<CtFrame>(grid.p_in_ct({5.0, 5.0, 5.0}).xyz)),
-                           PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(InputError, tracer.trace(image, 0, away));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           tracer.trace(image, 3, Point<CtFrame>(grid.p_in_ct({5.0, 5.0, 5.0}).xyz)));
 }
 
 QTEST_APPLESS_MAIN(LevelTracingTest)

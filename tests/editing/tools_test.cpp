@@ -135,7 +135,7 @@ void ToolsTest::AToolOfThisFileIsReadWrittenCheckedNamedAndApplied() {
   const Edit edit{Bead{structure::kPortalVein, 2.5e-3}, {}};
   write_edits(file, {edit});
   QVERIFY(read_edits(file, kinds) == std::vector<Edit>{edit});
-  QVERIFY_EXCEPTION_THROWN(read_edits(file), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_edits(file));
   write_file_atomically(file, R"({"edits": [{"tool": "bead", "label": "artery", "radius_mm": 9}]})");
   try {
     (void)read_edits(file, kinds);
@@ -155,7 +155,7 @@ void ToolsTest::AToolOfThisFileIsReadWrittenCheckedNamedAndApplied() {
 void ToolsTest::AToolIsNotTakenForAnother() {
   const Tool tool = FillHoles{};
   QVERIFY(tool.get_if<Paint>() == nullptr && tool.get_if<FillHoles>() != nullptr);
-  QVERIFY_EXCEPTION_THROWN((void)tool.as<Paint>(), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, (void)tool.as<Paint>());
 }
 
 QTEST_APPLESS_MAIN(ToolsTest)

@@ -151,8 +151,8 @@ class BuildAtlasTest : public QObject {
             std::string::npos);
     QVERIFY(complaint_of({.cases = {paths_[0], paths_[1]}, .base = base_}).find("5 livers") !=
             std::string::npos);
-    QVERIFY_EXCEPTION_THROWN((BuildAtlas{.cases = paths_}.apply(CaseState(), RunContext())),
-                             PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                             (BuildAtlas{.cases = paths_}.apply(CaseState(), RunContext())));
   }
 
  private:

@@ -136,7 +136,7 @@ void CaseReachTest::NetworkSourcesAreNotOpened() {
   QCOMPARE(lost.size(), std::size_t(1));
   QVERIFY2(lost[0].starts_with("case.video_lost") && lost[0].ends_with("Choose the source again."),
            lost[0].c_str());
-  QVERIFY_EXCEPTION_THROWN(open_case(path, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, open_case(path, RunContext()));
 }
 
 void CaseReachTest::CamerasOfThisComputerAre() {

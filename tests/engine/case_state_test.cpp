@@ -131,7 +131,7 @@ void CaseStateTest::LandmarksOfAPersonReplaceTheModels() {
 }
 
 void CaseStateTest::LandmarksNeedAModel() {
-  QVERIFY_EXCEPTION_THROWN(effective_landmarks(CaseState()), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, effective_landmarks(CaseState()));
 }
 
 void CaseStateTest::NoTwoCommandsThatTouchTheSamePartAreIndependent() {

@@ -64,10 +64,10 @@ class EngineTest : public QObject {
 void EngineTest::TimesThatCannotBeAreRefused() {
   Engine::Options made = options(Runner::inline_);
   made.frame_seconds = 0.0;
-  QVERIFY_EXCEPTION_THROWN(Engine{made}, PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, Engine{made});
   made = options(Runner::threaded);
   made.trial_seconds = -1.0;
-  QVERIFY_EXCEPTION_THROWN(Engine{made}, PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, Engine{made});
 }
 
 void EngineTest::ADoneCommandIsInTheSnapshot() {
@@ -240,7 +240,7 @@ void EngineTest::SnapshotsAreImmutable() {
 
 void EngineTest::WaitingForAnUnknownCommandIsRefused() {
   Engine engine(options(Runner::inline_));
-  QVERIFY_EXCEPTION_THROWN(engine.wait(7), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, engine.wait(7));
 }
 
 void EngineTest::OnlyTheLastResultsAreKept() {

@@ -72,7 +72,7 @@ void ImportModalityTest::AnImageOfTheCaseIsToldLater() {
   scan->source.series_uid = "1.2.3";
   script.run(ImportImage{"a", {}, false, {}, scan});
   script.run(SetModality{Modality::other});
-  QVERIFY_EXCEPTION_THROWN(script.run(SetModality{Modality::ct}), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, script.run(SetModality{Modality::ct}));
 }
 
 QTEST_APPLESS_MAIN(ImportModalityTest)

@@ -56,7 +56,7 @@ void KeepLookTest::ALookIsKeptOnceAndIsNotJoinedWithItself() {
   state = after(state, KeepLook{});
   QCOMPARE(state[part::earlier_looks]->clouds.size(), std::size_t{1});
   QVERIFY(looks_to_join(state).empty());
-  QVERIFY_EXCEPTION_THROWN(after(state, KeepLook{}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, after(state, KeepLook{}));
   state[part::cloud] = look(2);
   QCOMPARE(looks_to_join(state).size(), std::size_t{1});
   state = after(state, KeepLook{});
@@ -72,7 +72,7 @@ void KeepLookTest::ALookOfAFileIsKept() {
   write_cloud(file, *look(3));
   const CaseState state = after({}, KeepLook{file, LengthUnit::millimetre});
   QCOMPARE(state[part::earlier_looks]->clouds[0]->size(), look(3)->size());
-  QVERIFY_EXCEPTION_THROWN(after({}, KeepLook{folder.filePath("none.ply").toStdString(), {}}), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, after({}, KeepLook{folder.filePath("none.ply").toStdString(), {}}));
 }
 
 void KeepLookTest::NoMoreThanCanBeJoinedAreKept() {
@@ -82,7 +82,7 @@ void KeepLookTest::NoMoreThanCanBeJoinedAreKept() {
     state = after(state, KeepLook{});
   }
   state[part::cloud] = look(99);
-  QVERIFY_EXCEPTION_THROWN(after(state, KeepLook{}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, after(state, KeepLook{}));
 }
 
 void KeepLookTest::LooksComeBackWithTheCase() {

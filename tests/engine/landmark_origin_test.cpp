@@ -67,7 +67,7 @@ class LandmarkOriginTest : public QObject {
     QVERIFY(left.decision == Decision::not_visible && !left.is_used);
   }
 
-  void thereMustBeAModel() { QVERIFY_EXCEPTION_THROWN(landmark_origins(CaseState()), PreconditionError); }
+  void thereMustBeAModel() { QVERIFY_THROWS_EXCEPTION(PreconditionError, landmark_origins(CaseState())); }
 
  private:
   CaseState placed_, proposed_;

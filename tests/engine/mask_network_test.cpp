@@ -77,7 +77,7 @@ void MaskNetworkTest::WhatIsNoLiverAtAllWithdrawsTheOverlay() {
 
 void MaskNetworkTest::ANetworkThatIsNotThereIsAnError() {
   const auto path = folder_.path() / "absent.onnx";
-  QVERIFY_EXCEPTION_THROWN(following({path, 1}), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, following({path, 1}));
   // Beside a live loop it is told, and the organ is followed without it.
   const auto follower = following({path, 0});
   QVERIFY(follower->follow(film_.frame(1)).level() == Level::valid);

@@ -286,12 +286,12 @@ class ProposalsTest : public QObject {
 
   void wrongReviewsAreRefused() {
     const Points two = Points::Zero(2, 3);
-    QVERIFY_EXCEPTION_THROWN(
-        (ReviewProposal{Structure::umbilical_notch, Decision::moved, two}.apply(state_, RunContext())),
-        InputError);
+    QVERIFY_THROWS_EXCEPTION(
+        InputError,
+        (ReviewProposal{Structure::umbilical_notch, Decision::moved, two}.apply(state_, RunContext())));
     CaseState bare = state_;
     bare[part::proposals] = std::make_shared<const atlas::Transfer>();
-    QVERIFY_EXCEPTION_THROWN((ReviewProposal{Structure::vena_cava}.apply(bare, RunContext())), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, (ReviewProposal{Structure::vena_cava}.apply(bare, RunContext())));
     const auto first = obstacle(patient(*atlas_), ReviewProposal{Structure::vena_cava});
     QVERIFY(first && first->part == part::proposals);
     const auto without_model = obstacle(CaseState(), ProposeLandmarks{atlas_});

@@ -173,7 +173,7 @@ void RecoveryTest::RecoveredACaseIsHeldAgain() {
   Script script{RunContext()};
   script.run(RecoverCase{find_recoverable(root()).at(0)});
   Script other{RunContext()};
-  QVERIFY_EXCEPTION_THROWN(other.run(OpenCase{path(), OpenCase::Access::write}), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, other.run(OpenCase{path(), OpenCase::Access::write}));
 }
 
 /// As after a crash the window is begun with the case, and offers the copy.
@@ -188,7 +188,7 @@ void RecoveryTest::WhatIsOpenHereIsRecoveredForWriting() {
   script.run(SaveCase{});
   QCOMPARE(seed_on_disk(path()), 0.3);
   Script other{RunContext()};
-  QVERIFY_EXCEPTION_THROWN(other.run(OpenCase{path(), OpenCase::Access::write}), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, other.run(OpenCase{path(), OpenCase::Access::write}));
 }
 
 void RecoveryTest::ACopyNeverStandsUnderAnotherCasesName() {
@@ -204,7 +204,7 @@ void RecoveryTest::ACopyNeverStandsUnderAnotherCasesName() {
   };
   Script other{RunContext(end, nullptr, 1)};
   other.run(seeds(0.9));
-  QVERIFY_EXCEPTION_THROWN(other.run(KeepCopy{own.path()}), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, other.run(KeepCopy{own.path()}));
   QCOMPARE(seed_on_disk(own.path() / "copy.glisson"), 0.9);
   QVERIFY(!fs::exists(own.path() / "copy.json"));
 }

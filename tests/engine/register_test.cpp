@@ -151,7 +151,7 @@ void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
   QVERIFY(taken[part::registration]->residual > told->residual);
   const CaseState back = apply(taken, ChooseRival{0}, RunContext()).value().state;
   QVERIFY(back[part::registration]->nodes_in_camera == told->nodes_in_camera);
-  QVERIFY_EXCEPTION_THROWN(apply(done, ChooseRival{1}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, apply(done, ChooseRival{1}, RunContext()));
 }
 
 namespace {
@@ -192,7 +192,7 @@ void RegisterTest::OfOtherPointsThereIsNoFormerOne() {
   CaseState others = both;
   others[part::cloud] = std::make_shared<const LabelledCloud>(*both[part::cloud]);
   QVERIFY(!has_former_registration(others));
-  QVERIFY_EXCEPTION_THROWN(after(others, UndoRegistration{}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, after(others, UndoRegistration{}));
   // One that was out of date is none to go back to.
   CaseState stale = registered_from(phantom_case(), 0.0);
   stale.stamp(part::registration) = {2, {{part::model, 1}}};

@@ -361,11 +361,11 @@ void SurfaceExportTest::WhatFailsLeavesNothing() {
   QCOMPARE(built->model.surfaces.size(), std::size_t{3});
   built->model.surfaces.back().mesh.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
   state[part::model] = built;
-  QVERIFY_EXCEPTION_THROWN(written(at("out"), ".stl", state), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, written(at("out"), ".stl", state));
   QVERIFY(entries(folder_->path()) == was);
   // A file cannot go where a folder is.
   fs::create_directories(at("out") / "portal_vein.stl");
-  QVERIFY_EXCEPTION_THROWN(written(at("out"), ".stl", script_->state()), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, written(at("out"), ".stl", script_->state()));
   QCOMPARE(entries(at("out")).size(), std::size_t{1});
 }
 

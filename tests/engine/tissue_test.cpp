@@ -115,7 +115,7 @@ void TissueTest::WhatCannotBeIsRefused() {
            said.c_str());
   SetTissue thin;
   thin.tissue.parenchyma = 1.0;
-  QVERIFY_EXCEPTION_THROWN(after(phantom_case(), thin), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, after(phantom_case(), thin));
 }
 
 void TissueTest::MaterialsOfACommandHoldOverTheParenchyma() {

@@ -103,7 +103,7 @@ void TrialLaneTest::PullsThatAreNoneAreRefused() {
   start(engine);
   const TrialPull good = at(3, {0.0, 0.0, 0.1});
   engine.submit_pull(good);
-  QVERIFY_EXCEPTION_THROWN(engine.submit_pull(pull), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, engine.submit_pull(pull));
   engine.wait_for_trial();
   QVERIFY(engine.snapshot()->trial->pull == good);  // the former one stays
 }

@@ -108,7 +108,7 @@ void AgainEveryTest::ACancelEndsIt() {
   fails_ = true;
   auto cancel = std::make_shared<CancelFlag>();
   cancel->request();
-  QVERIFY_EXCEPTION_THROWN(again.after(30, 1.0, RunContext({}, cancel, 1)), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, again.after(30, 1.0, RunContext({}, cancel, 1)));
 }
 
 QTEST_APPLESS_MAIN(AgainEveryTest)

@@ -96,7 +96,7 @@ void AimsTest::ThePageNamesWhatWasAbsent() {
 }
 
 void AimsTest::AFolderThatCannotBeWrittenIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(write_page("no/such/folder/ball.md", ProofPage()), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, write_page("no/such/folder/ball.md", ProofPage()));
 }
 
 void AimsTest::OnlyACheckoutHasAPlaceForFigures() {

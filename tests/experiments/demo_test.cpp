@@ -101,20 +101,20 @@ void DemoTest::WrongOptionsAreRefused() {
   experiments::DemoOptions options;
   options.validate();
   options.patch_share = 0.0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.vertices = 3;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.theatre.frames = 0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   experiments::PatientProofOptions proof;
   proof.strokes = -1;
-  QVERIFY_EXCEPTION_THROWN(proof.validate(), InputError);
-  QVERIFY_EXCEPTION_THROWN(experiments::AtlasProofOptions().validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, proof.validate());
+  QVERIFY_THROWS_EXCEPTION(InputError, experiments::AtlasProofOptions().validate());
   insilico::LaypersonOptions layperson;
   layperson.inside = 0;
-  QVERIFY_EXCEPTION_THROWN(layperson.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, layperson.validate());
 }
 
 QTEST_APPLESS_MAIN(DemoTest)

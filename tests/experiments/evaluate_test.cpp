@@ -75,8 +75,8 @@ void EvaluateTest::ARigidMotionLeavesNothingAfterTheBestRigidAlignment() {
 
 void EvaluateTest::TheTruthOfAnotherMeshIsRefused() {
   const PatientModel model = small_model();
-  QVERIFY_EXCEPTION_THROWN(
-      experiments::target_errors(model, model.mesh.vertices, Points::Zero(3, 3), "truth.xyz"), InputError);
+  QVERIFY_THROWS_EXCEPTION(
+      InputError, experiments::target_errors(model, model.mesh.vertices, Points::Zero(3, 3), "truth.xyz"));
 }
 
 void EvaluateTest::ACloudIsComparedWithASurfaceOrADepthMap() {
@@ -102,8 +102,8 @@ void EvaluateTest::ACloudIsComparedWithASurfaceOrADepthMap() {
     QCOMPARE(figures.at("cloud_points_without_truth"), 0.0);
   }
   left.width = 64;
-  QVERIFY_EXCEPTION_THROWN(
-      experiments::cloud_figures(cloud, left, folder.path() / "d.pfm", LengthUnit::millimetre), InputError);
+  QVERIFY_THROWS_EXCEPTION(
+      InputError, experiments::cloud_figures(cloud, left, folder.path() / "d.pfm", LengthUnit::millimetre));
 }
 
 void EvaluateTest::NothingThatIsFoundHasNoError() {

@@ -39,14 +39,14 @@ class LandmarkEffectTest : public QObject {
 
   void WhatCannotBeTriedIsRefused() {
     LandmarkEffectOptions options;
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
     options.atlas = std::make_shared<const atlas::Atlas>();
     options.validate();
     options.patients = 0;
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
     options.patients = 1;
     options.share = 1.5;
-    QVERIFY_EXCEPTION_THROWN(measure_landmark_effect(options, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, measure_landmark_effect(options, RunContext()));
   }
 };
 

@@ -114,8 +114,8 @@ class OutlineDistanceTest : public QObject {
   }
 
   void AnotherSizeIsRefused() {
-    QVERIFY_EXCEPTION_THROWN(
-        outline_distance(picture([](int, int) { return 0; }), std::vector<float>(17, 0.0F)), InputError);
+    QVERIFY_THROWS_EXCEPTION(
+        InputError, outline_distance(picture([](int, int) { return 0; }), std::vector<float>(17, 0.0F)));
   }
 };
 

@@ -69,13 +69,13 @@ class PulledTest : public QObject {
   void RefusesUnusableOptions() {
     PulledProofOptions options;
     options.organs = 0;
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
     options = {};
     options.frames = 1;
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
     options = {};
     options.threads = 3;
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   }
 };
 

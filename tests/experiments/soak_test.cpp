@@ -146,16 +146,16 @@ void SoakTest::WrongOptionsAreRefused() {
   const TemporaryFolder folder;
   SoakOptions options;
   options.opens = -1;
-  QVERIFY_EXCEPTION_THROWN(soak(options, folder.path(), {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, soak(options, folder.path(), {}, RunContext()));
   options = {};
   options.kills = 1;
   options.program = folder.path() / "none";
-  QVERIFY_EXCEPTION_THROWN(soak(options, folder.path(), {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, soak(options, folder.path(), {}, RunContext()));
 }
 
 void SoakTest::AProgramThatFailsInPeaceIsNoTrial() {
   const TemporaryFolder folder;
-  QVERIFY_EXCEPTION_THROWN(kill_at_work("/bin/false", folder.path(), {}, 1, RunContext()), Error);
+  QVERIFY_THROWS_EXCEPTION(Error, kill_at_work("/bin/false", folder.path(), {}, 1, RunContext()));
 }
 
 QTEST_GUILESS_MAIN(SoakTest)

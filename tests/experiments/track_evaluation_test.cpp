@@ -84,7 +84,7 @@ void TrackEvaluationTest::AFrameWithoutAPositionIsCountedOnly() {
   evaluation.add(OverlayFrame());
   QCOMPARE(evaluation.times().frames(), 2);
   QVERIFY(close(evaluation.displacement().at("displacement_mean_mm"), 4.0));
-  QVERIFY_EXCEPTION_THROWN(evaluation.compare(OverlayFrame(), shifted(0.0), "truth"), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, evaluation.compare(OverlayFrame(), shifted(0.0), "truth"));
 }
 
 void TrackEvaluationTest::MotionIsThatSinceTheTrueStart() {
@@ -106,15 +106,15 @@ void TrackEvaluationTest::WithoutFramesNothingIsKnown() {
 }
 
 void TrackEvaluationTest::WrongSizesAndRatesAreRefused() {
-  QVERIFY_EXCEPTION_THROWN(FrameTimes(0.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, FrameTimes(0.0));
   Registration short_one = start_;
   short_one.nodes_in_camera.conservativeResize(3, 3);
-  QVERIFY_EXCEPTION_THROWN(TrackEvaluation(model_, short_one, 30.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, TrackEvaluation(model_, short_one, 30.0));
   TrackEvaluation evaluation(model_, start_, 30.0);
-  QVERIFY_EXCEPTION_THROWN(evaluation.set_true_start(Points(3, 3)), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(evaluation.compare(frame(0.0), Points(3, 3), "truth"), InputError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, evaluation.set_true_start(Points(3, 3)));
+  QVERIFY_THROWS_EXCEPTION(InputError, evaluation.compare(frame(0.0), Points(3, 3), "truth"));
   evaluation.compare(frame(0.0), shifted(0.0), "truth");
-  QVERIFY_EXCEPTION_THROWN(evaluation.set_true_start(shifted(0.0)), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, evaluation.set_true_start(shifted(0.0)));
 }
 
 QTEST_APPLESS_MAIN(TrackEvaluationTest)

@@ -171,10 +171,9 @@ class CompositeTest : public QObject {
     const auto model = liver_block();
     Loads loads;
     loads.gravity_change = {0.0, 0.0, 1.0};
-    QVERIFY_EXCEPTION_THROWN(
-        solve_static(
-            *model, model->mesh().vertices, [&](const Points&) { return loads; }, {}, RunContext()),
-        NumericalError);
+    QVERIFY_THROWS_EXCEPTION(NumericalError, solve_static(
+                                                 *model, model->mesh().vertices,
+                                                 [&](const Points&) { return loads; }, {}, RunContext()));
   }
 };
 

@@ -136,7 +136,7 @@ class LoadsTest : public QObject {
                              R"({"fixed": {"nodes": [5]}, "moved": [{"nodes": [5], "by_mm": [1, 0, 0]}]})",
                              R"({"gravity": {"to": "prone"},
                                  "fixed": {"region": {"centre_mm": [900, 0, 0], "radius_mm": 1}}})"})
-      QVERIFY_EXCEPTION_THROWN(AppliedLoad(parsed(text), *model), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, AppliedLoad(parsed(text), *model));
   }
 
   void ExamplesAreWhatTheReadmeSays() {
@@ -154,7 +154,7 @@ class LoadsTest : public QObject {
     QVERIFY(pull.springs.size() == 2 && pull.ramp == 1.0);
   }
 
-  void MissingFileIsNamed() { QVERIFY_EXCEPTION_THROWN(read_load_case("/nowhere/load.json"), FileError); }
+  void MissingFileIsNamed() { QVERIFY_THROWS_EXCEPTION(FileError, read_load_case("/nowhere/load.json")); }
 
   void StaticSimulationBalancesAForceByTheBarsStiffness() {
     // A bar of 50 x 20 x 20 mm pulled along by 0.01 N: about F L / (E A) longer, a little less as its held
@@ -338,8 +338,8 @@ class LoadsTest : public QObject {
   void NothingHeldInAStaticSolveIsRefused() {
     SimulationOptions options;
     options.static_solve = true;
-    QVERIFY_EXCEPTION_THROWN(
-        simulate(bar(), parsed(R"({"gravity": {"to": "prone"}})"), options, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(
+        InputError, simulate(bar(), parsed(R"({"gravity": {"to": "prone"}})"), options, RunContext()));
   }
 
   void PresetsAreThePapers() {
@@ -347,7 +347,7 @@ class LoadsTest : public QObject {
     QCOMPARE(composite_preset("cirrhotic").parenchyma.young_modulus, 30e3);
     QVERIFY(composite_preset("cirrhotic").with_vessels);
     QVERIFY(!composite_preset("cirrhotic_homogeneous").with_vessels);
-    QVERIFY_EXCEPTION_THROWN(composite_preset("stone"), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, composite_preset("stone"));
     QVERIFY(!composite_preset("healthy_homogeneous").with_capsule);
     QCOMPARE(composite_preset_names().size(), std::size_t{4});
   }

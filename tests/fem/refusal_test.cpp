@@ -72,7 +72,7 @@ class RefusalTest : public QObject {
              QString("rayleigh_stiffness"));
     IntegratorOptions step;
     step.time_step = 0.0;
-    QVERIFY_EXCEPTION_THROWN(step.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, step.validate());
   }
 
   void UnusableStaticOptionsAreNamed() {
@@ -124,22 +124,22 @@ class RefusalTest : public QObject {
     far.weights = {0.5, 0.5, 0.0, 0.0};
     far.tangent = Eigen::Matrix3d::Identity();
     loads.attached = {far};
-    QVERIFY_EXCEPTION_THROWN(integrator.step(loads), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, integrator.step(loads));
     loads.attached[0].nodes = {0, 1000, -1, -1};
-    QVERIFY_EXCEPTION_THROWN(integrator.step(loads), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, integrator.step(loads));
     loads.attached.clear();
     loads.pressure = std::nan("");
-    QVERIFY_EXCEPTION_THROWN(integrator.step(loads), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, integrator.step(loads));
     loads.pressure = 1.0;
     loads.pressure_triangles = {100000};
-    QVERIFY_EXCEPTION_THROWN(integrator.step(loads), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, integrator.step(loads));
     IntegratorOptions options;
     options.fixed_nodes = {1000};
-    QVERIFY_EXCEPTION_THROWN(Integrator(model, options), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Integrator(model, options));
     options.fixed_nodes.resize(static_cast<std::size_t>(mesh.vertex_count()));
     std::iota(options.fixed_nodes.begin(), options.fixed_nodes.end(), 0);
-    QVERIFY_EXCEPTION_THROWN(Integrator(model, options), InputError);
-    QVERIFY_EXCEPTION_THROWN(integrator.set_state(Points::Zero(3, 3)), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Integrator(model, options));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, integrator.set_state(Points::Zero(3, 3)));
   }
 
   void PrescribedNodesThatAreFreeAreRefused() {
@@ -154,10 +154,10 @@ class RefusalTest : public QObject {
     wrong.prescribed.push_back({led[0], mesh.vertex(led[0]) + Eigen::Vector3d(0.001, 0.0, 0.0)});
     wrong.prescribed.push_back({20, mesh.vertex(20)});
     const Points before = first.positions();
-    QVERIFY_EXCEPTION_THROWN(first.step(wrong), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, first.step(wrong));
     QVERIFY((first.positions().array() == before.array()).all());
     wrong.prescribed = {{-1, Eigen::Vector3d::Zero()}};
-    QVERIFY_EXCEPTION_THROWN(first.step(wrong), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, first.step(wrong));
   }
 };
 

@@ -327,8 +327,8 @@ class SolverTest : public QObject {
     std::vector<double> values = example.system.values();
     std::fill(values.begin(), values.end(), std::nan(""));
     QVERIFY(!two_level.prepare(values));
-    QVERIFY_EXCEPTION_THROWN(make_factorization(LinearSolver::fast, example.system.pattern()),
-                             PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                             make_factorization(LinearSolver::fast, example.system.pattern()));
   }
 
   void EverySweepWidthGivesTheSameBits() {
@@ -418,10 +418,10 @@ class SolverTest : public QObject {
     QVERIFY(step.residual > options.tolerance);
     QVERIFY((integrator.positions().array() == model->mesh().vertices.array()).all());
     options.max_iterations = 0;
-    QVERIFY_EXCEPTION_THROWN(Integrator(model, options), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Integrator(model, options));
     options.max_iterations = 100;
     options.tolerance = 0.0;
-    QVERIFY_EXCEPTION_THROWN(Integrator(model, options), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Integrator(model, options));
   }
 };
 

@@ -137,7 +137,7 @@ void TissueTest::LesionsThatAreNotThereAreNamed() {
   const std::string said = test::complaint([&] { require_lesions_of(tissue_from("lesion_2=20"), with); });
   QVERIFY2(said.find("lesion_2") != std::string::npos && said.find("lesion_1") != std::string::npos,
            said.c_str());
-  QVERIFY_EXCEPTION_THROWN(require_lesions_of(tissue_from("lesions=20"), without), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, require_lesions_of(tissue_from("lesions=20"), without));
   QVERIFY(lesions_without_elements(tissue_from("lesion_1=20"), with).empty());
   PatientModel small = without;
   small.surfaces.push_back({kFirst, "lesion_1", boundary_surface(without.mesh).mesh});

@@ -241,7 +241,7 @@ void ClosestPointTreeTest::ATriangleThatIsALineIsItsEdges() {
 
 void ClosestPointTreeTest::RefitWithOtherVerticesIsRefused() {
   ClosestPointTree tree(test::sphere(0.06, 1));
-  QVERIFY_EXCEPTION_THROWN(tree.refit(Points::Zero(3, 3)), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, tree.refit(Points::Zero(3, 3)));
 }
 
 QTEST_APPLESS_MAIN(ClosestPointTreeTest)

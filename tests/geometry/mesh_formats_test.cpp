@@ -192,13 +192,13 @@ void MeshFormatsTest::PlyOfMoreRowsThanAnOrganNeedsIsRefused() {
 
 void MeshFormatsTest::PlyWithInflatedCountIsRefused() {
   const std::string head = "ply\nformat binary_little_endian 1.0\nelement vertex ";
-  QVERIFY_EXCEPTION_THROWN(parse_ply(head + "4000000000\nproperty float x\nend_header\nabcd", "test"),
-                           InputError);
-  QVERIFY_EXCEPTION_THROWN(parse_ply(head + "-1\nproperty float x\nend_header\nabcd", "test"), InputError);
-  QVERIFY_EXCEPTION_THROWN(
-      parse_ply(head + "1\nproperty list int float x\nend_header\n\xFF\xFF\xFF\x7F", "test"), InputError);
-  QVERIFY_EXCEPTION_THROWN(parse_ply("plx\n", "test"), InputError);
-  QVERIFY_EXCEPTION_THROWN(parse_ply("ply\nformat ascii 1.0\nelement vertex 0\n", "test"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError,
+                           parse_ply(head + "4000000000\nproperty float x\nend_header\nabcd", "test"));
+  QVERIFY_THROWS_EXCEPTION(InputError, parse_ply(head + "-1\nproperty float x\nend_header\nabcd", "test"));
+  QVERIFY_THROWS_EXCEPTION(
+      InputError, parse_ply(head + "1\nproperty list int float x\nend_header\n\xFF\xFF\xFF\x7F", "test"));
+  QVERIFY_THROWS_EXCEPTION(InputError, parse_ply("plx\n", "test"));
+  QVERIFY_THROWS_EXCEPTION(InputError, parse_ply("ply\nformat ascii 1.0\nelement vertex 0\n", "test"));
 }
 
 void MeshFormatsTest::MutatedFilesNeverCrash_data() {
@@ -273,7 +273,7 @@ void MeshFormatsTest::AsciiAndBinaryStlAgree() {
   QVERIFY(a.triangles == b.triangles);
   QVERIFY((a.vertices - b.vertices).cwiseAbs().maxCoeff() < 1e-8);
   write_text(ascii, text.substr(0, text.rfind("vertex")));
-  QVERIFY_EXCEPTION_THROWN(read_triangle_mesh(ascii, LengthUnit::millimetre), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_triangle_mesh(ascii, LengthUnit::millimetre));
 }
 
 void MeshFormatsTest::StlThatBeginsWithNoNumberIsRefusedAtOnce() {
@@ -371,8 +371,8 @@ void MeshFormatsTest::TellsVolumesFromSurfaces() {
   QVERIFY(is_tetrahedral(msh));
   QVERIFY(!is_tetrahedral(surface_path));
   QVERIFY(!is_tetrahedral(ply));
-  QVERIFY_EXCEPTION_THROWN(read_tet_mesh(surface_path, LengthUnit::millimetre), InputError);
-  QVERIFY_EXCEPTION_THROWN(read_triangle_mesh(volume_path, LengthUnit::millimetre), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_tet_mesh(surface_path, LengthUnit::millimetre));
+  QVERIFY_THROWS_EXCEPTION(InputError, read_triangle_mesh(volume_path, LengthUnit::millimetre));
 }
 
 QTEST_APPLESS_MAIN(MeshFormatsTest)

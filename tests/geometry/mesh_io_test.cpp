@@ -165,22 +165,22 @@ void MeshIoTest::NotANumberIsRefused() {
 
 void MeshIoTest::MissingFileIsAFileError() {
   for (const char* name : {"absent.vtu", "absent.vtk", "absent.msh"})
-    QVERIFY_EXCEPTION_THROWN(read_tet_mesh(name, LengthUnit::millimetre), FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError, read_tet_mesh(name, LengthUnit::millimetre));
   for (const char* name : {"absent.vtp", "absent.stl", "absent.obj", "absent.ply"})
-    QVERIFY_EXCEPTION_THROWN(read_triangle_mesh(name, LengthUnit::millimetre), FileError);
-  QVERIFY_EXCEPTION_THROWN(read_node_list("absent.xyz", LengthUnit::millimetre), FileError);
-  QVERIFY_EXCEPTION_THROWN(is_tetrahedral("absent.stl"), FileError);
-  QVERIFY_EXCEPTION_THROWN(write_tet_mesh("no/such/folder/x.vtu", two_tetrahedra(), LengthUnit::metre),
-                           FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError, read_triangle_mesh(name, LengthUnit::millimetre));
+  QVERIFY_THROWS_EXCEPTION(FileError, read_node_list("absent.xyz", LengthUnit::millimetre));
+  QVERIFY_THROWS_EXCEPTION(FileError, is_tetrahedral("absent.stl"));
+  QVERIFY_THROWS_EXCEPTION(FileError,
+                           write_tet_mesh("no/such/folder/x.vtu", two_tetrahedra(), LengthUnit::metre));
 }
 
 void MeshIoTest::UnknownExtensionIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(read_tet_mesh("x.step", LengthUnit::metre), InputError);
-  QVERIFY_EXCEPTION_THROWN(read_triangle_mesh("x.step", LengthUnit::metre), InputError);
-  QVERIFY_EXCEPTION_THROWN(is_tetrahedral("x.step"), InputError);
-  QVERIFY_EXCEPTION_THROWN(write_tet_mesh("x.stl", two_tetrahedra(), LengthUnit::metre), InputError);
-  QVERIFY_EXCEPTION_THROWN(write_triangle_mesh("x.vtu", tetrahedron_surface(), LengthUnit::metre),
-                           InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_tet_mesh("x.step", LengthUnit::metre));
+  QVERIFY_THROWS_EXCEPTION(InputError, read_triangle_mesh("x.step", LengthUnit::metre));
+  QVERIFY_THROWS_EXCEPTION(InputError, is_tetrahedral("x.step"));
+  QVERIFY_THROWS_EXCEPTION(InputError, write_tet_mesh("x.stl", two_tetrahedra(), LengthUnit::metre));
+  QVERIFY_THROWS_EXCEPTION(InputError,
+                           write_triangle_mesh("x.vtu", tetrahedron_surface(), LengthUnit::metre));
 }
 
 void MeshIoTest::NodeListSurvivesTheFile() {
@@ -200,7 +200,7 @@ void MeshIoTest::NodeListNamesTheBadLine() {
     QVERIFY(complaint([&] { read_node_list(path, LengthUnit::metre); }).find("line 3") != std::string::npos);
   }
   write_text(path, "# nothing\n");
-  QVERIFY_EXCEPTION_THROWN(read_node_list(path, LengthUnit::metre), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_node_list(path, LengthUnit::metre));
 }
 
 void MeshIoTest::NodeNumbersBeyondTheMeshAreRefused() {
@@ -253,10 +253,10 @@ void MeshIoTest::FailedWriteLeavesTheOldFile() {
   const std::string before = read_file(path);
   TetMesh broken = two_tetrahedra();
   broken.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  QVERIFY_EXCEPTION_THROWN(write_tet_mesh(path, broken, LengthUnit::millimetre), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, write_tet_mesh(path, broken, LengthUnit::millimetre));
   QVERIFY(read_file(path) == before);
   TetFile wrong{two_tetrahedra(), {{"short", Eigen::MatrixXd::Zero(2, 1)}}, {}, {}};
-  QVERIFY_EXCEPTION_THROWN(write_tet_mesh(path, wrong, LengthUnit::millimetre), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, write_tet_mesh(path, wrong, LengthUnit::millimetre));
   QCOMPARE(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1L);
 }
 
@@ -303,7 +303,7 @@ void MeshIoTest::ADiskThatFillsUpLeavesTheOldFile() {
   };
   for (const rlim_t bytes : {0U, 1U, 60U, 100U}) {
     const FullDisk disk(bytes);
-    QVERIFY_EXCEPTION_THROWN(write(), FileError);
+    QVERIFY_THROWS_EXCEPTION(FileError, write());
   }
   QCOMPARE(read_file(path), std::string("old"));
   QCOMPARE(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1L);

@@ -274,14 +274,14 @@ void MeshTest::SamplesLieOnTheSurfaceEvenly() {
   int top = 0;  // the face z = 1.5 is 2 of 22 square metres
   for (Eigen::Index i = 0; i < samples.rows(); ++i) top += samples(i, 2) > 1.5 - 1e-9;
   QVERIFY(std::abs(top - 200) <= 3);
-  QVERIFY_EXCEPTION_THROWN(sample_surface({}, 10, 1), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, sample_surface({}, 10, 1));
 }
 
 void MeshTest::PointErrorsNeedAsManyPoints() {
   Points a = Points::Zero(2, 3), b = a;
   b(1, 2) = 3.0;
   QCOMPARE(point_errors(a, b).mean, 1.5);
-  QVERIFY_EXCEPTION_THROWN(point_errors(a, Points::Zero(3, 3)), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, point_errors(a, Points::Zero(3, 3)));
 }
 
 QTEST_APPLESS_MAIN(MeshTest)

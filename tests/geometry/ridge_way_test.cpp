@@ -75,7 +75,7 @@ void RidgeWayTest::WithoutARidgeThePointStays() {
 }
 
 void RidgeWayTest::NoSurfaceIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(RidgeWays{TriangleMesh{}}, PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, RidgeWays{TriangleMesh{}});
 }
 
 }  // namespace glisson

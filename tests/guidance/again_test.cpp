@@ -156,19 +156,19 @@ void AgainTest::WhatHandsHaveSaidIsKept() {
   QVERIFY2((pixel(taken.nodes_in_camera) - drag.to).norm() < 0.5 * (drag.from - drag.to).norm(),
            qPrintable(QString::number((pixel(taken.nodes_in_camera) - drag.to).norm())));
   QVERIFY(tracker.corrections().empty());
-  QVERIFY_EXCEPTION_THROWN(tracker.undo_correction(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.undo_correction());
 }
 
 void AgainTest::WhatCannotBeFollowedIsRefusedAndNothingChanges() {
   Tracker tracker = begun(film_.start);
   Registration foreign = film_.start;
   foreign.nodes_in_camera.conservativeResize(5, 3);
-  QVERIFY_EXCEPTION_THROWN(tracker.take(film_.start), InputError);  // no frame yet
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.take(film_.start));  // no frame yet
   const OverlayFrame before = followed(tracker, 1, 3);
-  QVERIFY_EXCEPTION_THROWN(tracker.take(foreign), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.take(foreign));
   foreign = film_.start;
   foreign.nodes_in_camera(3, 1) = std::nan("");
-  QVERIFY_EXCEPTION_THROWN(tracker.take(foreign), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.take(foreign));
   Tracker other = begun(film_.start);
   followed(other, 1, 3);
   QVERIFY(tracker.follow(frame(4)).nodes_in_camera == other.follow(frame(4)).nodes_in_camera);

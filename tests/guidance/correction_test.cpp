@@ -149,7 +149,7 @@ void CorrectionTest::UndoLeavesNoTrace() {
   overlay = corrected.undo_correction();
   QVERIFY(overlay.nodes_in_camera == before.nodes_in_camera);  // to the bit
   QVERIFY(corrected.corrections().empty());
-  QVERIFY_EXCEPTION_THROWN(corrected.undo_correction(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, corrected.undo_correction());
   for (int k = 4; k < 12; ++k) {
     const OverlayFrame one = corrected.follow(frame(k)), other = plain.follow(frame(k));
     const double apart = error(one, other.nodes_in_camera);
@@ -214,14 +214,14 @@ void CorrectionTest::AWrongCorrectionIsWithdrawnByTheSurface() {
 void CorrectionTest::AFarOrUnseenPlaceIsRefusedAndNothingChanges() {
   Tracker tracker(film_.model, film_.start, options());
   Correction wanted = drag(margin(1), film_.nodes, truth(2));
-  QVERIFY_EXCEPTION_THROWN(tracker.correct(wanted), InputError);  // no picture
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.correct(wanted));  // no picture
   tracker = begun({0.0, 0.0, 0.0});
-  QVERIFY_EXCEPTION_THROWN(tracker.correct(wanted), InputError);  // none followed
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.correct(wanted));  // none followed
   const OverlayFrame before = tracker.follow(frame(1));
   const auto refused = [&](auto change) {
     Correction bad = drag(margin(1), before.nodes_in_camera, truth(1));
     change(bad);
-    QVERIFY_EXCEPTION_THROWN(tracker.correct(bad), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, tracker.correct(bad));
   };
   refused([](Correction& c) { c.to.x() += 400.0; });
   refused([](Correction& c) { c.to.y() -= 100.0; });

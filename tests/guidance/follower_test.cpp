@@ -175,15 +175,15 @@ void FollowerTest::PicturesOfAnotherSizeAreRefused() {
   StereoFrame wrong = first_;
   wrong.right.width = 160;
   wrong.right.height = 480;
-  QVERIFY_EXCEPTION_THROWN(follower.begin(wrong, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, follower.begin(wrong, {}));
   wrong = first_;
   wrong.left = {};
-  QVERIFY_EXCEPTION_THROWN(follower.begin(wrong, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, follower.begin(wrong, {}));
   Picture mask = phantom::plain(rig_.left, 255);
   mask.height = 120;
-  QVERIFY_EXCEPTION_THROWN(seen_parts(first_, rig_, mask), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, seen_parts(first_, rig_, mask));
   follower.begin(first_, {});
-  QVERIFY_EXCEPTION_THROWN(follower.keep({1}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, follower.keep({1}));
 }
 
 namespace {

@@ -368,7 +368,7 @@ void JudgeTest::UnusableOptionsAreRefused() {
   const auto refused = [](auto change) {
     JudgeOptions options;
     change(options);
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   };
   refused([](JudgeOptions& o) { o.every = 0.0; });
   refused([](JudgeOptions& o) { o.lag = o.every; });

@@ -118,12 +118,12 @@ void LesionMeterTest::WhatIsNotThereCannotBeMeasured() {
   const SurfacePlace elsewhere{1 << 20, Eigen::Vector3d::Constant(1.0 / 3.0)};
   QVERIFY(!measured.has(SurfacePlace()) && !measured.has(elsewhere));
   QVERIFY(std::isnan(measured.measure(structure::kFirstLesion, elsewhere).from_place));
-  QVERIFY_EXCEPTION_THROWN(measured.position(elsewhere), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, measured.position(elsewhere));
 }
 
 void LesionMeterTest::NodesOfAnotherModelAreRefused() {
   LesionMeter measured = meter();
-  QVERIFY_EXCEPTION_THROWN(measured.move(Points::Ones(3, 3)), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, measured.move(Points::Ones(3, 3)));
 }
 
 QTEST_APPLESS_MAIN(LesionMeterTest)

@@ -100,8 +100,8 @@ void ToolMeterTest::WhatIsNotThereCannotBeSaid() {
 }
 
 void ToolMeterTest::NodesOfAnotherModelAreRefused() {
-  QVERIFY_EXCEPTION_THROWN(meter_.move(Points::Zero(3, 3)), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(ToolMeter(model_, CarriedSurface(), {}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, meter_.move(Points::Zero(3, 3)));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, ToolMeter(model_, CarriedSurface(), {}));
 }
 
 QTEST_APPLESS_MAIN(ToolMeterTest)

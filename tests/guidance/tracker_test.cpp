@@ -277,14 +277,14 @@ void TrackerTest::FewCloudPointsAreNotValid() {
 void TrackerTest::UnusableStartsAndOptionsAreRefused() {
   Registration short_start = start_;
   short_start.nodes_in_camera.conservativeResize(5, 3);
-  QVERIFY_EXCEPTION_THROWN(Tracker(model_, short_start, options()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, Tracker(model_, short_start, options()));
   Registration broken = start_;
   broken.nodes_in_camera(3, 1) = std::numeric_limits<double>::quiet_NaN();
-  QVERIFY_EXCEPTION_THROWN(Tracker(model_, broken, options()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, Tracker(model_, broken, options()));
   const auto refused = [&](auto change) {
     TrackerOptions changed = options();
     change(changed);
-    QVERIFY_EXCEPTION_THROWN(Tracker(model_, start_, changed), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Tracker(model_, start_, changed));
   };
   refused([](TrackerOptions& o) { o.points = 0; });
   refused([](TrackerOptions& o) { o.window_px = 16; });
@@ -297,11 +297,11 @@ void TrackerTest::UnusableStartsAndOptionsAreRefused() {
   inside_out.nodes_in_camera.col(2) =
       2.0 * start_.nodes_in_camera.col(2).mean() - start_.nodes_in_camera.col(2).array();
   Tracker mirrored(model_, inside_out, options());
-  QVERIFY_EXCEPTION_THROWN(mirrored.begin(rig_, film_[0], {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, mirrored.begin(rig_, film_[0], {}));
   Tracker tracker(model_, start_, options());
   StereoFrame wrong = film_[0];
   wrong.left.width = 100;
-  QVERIFY_EXCEPTION_THROWN(tracker.begin(rig_, wrong, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, tracker.begin(rig_, wrong, {}));
 }
 
 QTEST_APPLESS_MAIN(TrackerTest)

@@ -79,14 +79,14 @@ void HandledLiverTest::ThePatchIsOfItsSurface() {
 void HandledLiverTest::WhatHasNoMarginCannotBeLifted() {
   PatientModel patient;
   patient.surfaces = {{structure::kParenchyma, "liver", glisson::test::sphere(0.06, 3)}};
-  QVERIFY_EXCEPTION_THROWN(HandledLiver::build(patient, small(Handling::lifted), RunContext()),
-                           NumericalError);
+  QVERIFY_THROWS_EXCEPTION(NumericalError,
+                           HandledLiver::build(patient, small(Handling::lifted), RunContext()));
 }
 
 void HandledLiverTest::UnusableOptionsAreRefused() {
   HandlingOptions options;
   options.elastic_motion_mm = 0.0;
-  QVERIFY_EXCEPTION_THROWN(HandledLiver::build(patient_, options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, HandledLiver::build(patient_, options, RunContext()));
 }
 
 void HandledLiverTest::CancelGivesNothing() {

@@ -53,8 +53,8 @@ class LiverPopulationTest : public QObject {
       QVERIFY(population_liver(seed, 20.0).anterior_margin.rows() > 50);
   }
   void spacingsOutOfRangeAreRefused() {
-    QVERIFY_EXCEPTION_THROWN(population_liver(1, 0.1), InputError);
-    QVERIFY_EXCEPTION_THROWN(population_liver(1, 50.0), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, population_liver(1, 0.1));
+    QVERIFY_THROWS_EXCEPTION(InputError, population_liver(1, 50.0));
   }
 };
 

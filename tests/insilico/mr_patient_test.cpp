@@ -119,13 +119,13 @@ void MrPatientTest::TheSameOptionsGiveTheSameBits() {
 void MrPatientTest::BadOptionsAreRefused() {
   MrOptions options;
   options.liver_snr = 0.0;
-  QVERIFY_EXCEPTION_THROWN(insilico::make_mr_patient(options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, insilico::make_mr_patient(options, RunContext()));
   options = {};
   options.coil_variation = 1.5;
-  QVERIFY_EXCEPTION_THROWN(insilico::make_mr_patient(options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, insilico::make_mr_patient(options, RunContext()));
   options = {};
   options.spacing_mm.z() = 0.1;
-  QVERIFY_EXCEPTION_THROWN(insilico::make_mr_patient(options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, insilico::make_mr_patient(options, RunContext()));
 }
 
 QTEST_APPLESS_MAIN(MrPatientTest)

@@ -149,15 +149,15 @@ class OperatorTest : public QObject {
     VolumeGrid grid;
     grid.size = {4, 4, 4};
     empty.voxels = LabelVolume(grid);
-    QVERIFY_EXCEPTION_THROWN(static_cast<void>(click_seeds(empty, {})), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, static_cast<void>(click_seeds(empty, {})));
   }
   void UnusableNoiseIsRefused() {
     OperatorOptions options;
     options.click_noise_mm = -1.0;
-    QVERIFY_EXCEPTION_THROWN(static_cast<void>(click_landmarks({}, options)), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, static_cast<void>(click_landmarks({}, options)));
     options = {};
     options.click_noise_px = std::nan("");
-    QVERIFY_EXCEPTION_THROWN(static_cast<void>(click_landmarks({}, options)), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, static_cast<void>(click_landmarks({}, options)));
   }
 };
 

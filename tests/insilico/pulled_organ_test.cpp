@@ -62,7 +62,7 @@ class PulledOrganTest : public QObject {
     const auto refused = [&](const auto& change) {
       PulledOrganOptions options;
       change(options);
-      QVERIFY_EXCEPTION_THROWN(pull(options), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, pull(options));
     };
     refused([](auto& o) { o.patches = 4; });
     refused([](auto& o) { o.smallest_patch_cm2 = 0.0; });

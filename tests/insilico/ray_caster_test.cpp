@@ -139,15 +139,15 @@ class RayCasterTest : public QObject {
     QVERIFY((p - (hit.parameter * ray).cast<double>()).norm() < 1e-6);
   }
 
-  void AnEmptyOrganThrows() { QVERIFY_EXCEPTION_THROWN(RayCaster(TriangleMesh{}), PreconditionError); }
+  void AnEmptyOrganThrows() { QVERIFY_THROWS_EXCEPTION(PreconditionError, RayCaster(TriangleMesh{})); }
   void AnIndexBeyondTheVerticesThrows() {
     TriangleMesh mesh = plate(0.1, 0.0);
     mesh.triangles(0, 0) = 4;
-    QVERIFY_EXCEPTION_THROWN(RayCaster{mesh}, PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, RayCaster{mesh});
   }
   void AMoveWithOtherVerticesThrows() {
     RayCaster caster(plate(0.1, 0.0));
-    QVERIFY_EXCEPTION_THROWN(caster.move_organ(Points::Zero(3, 3)), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, caster.move_organ(Points::Zero(3, 3)));
   }
 };
 

@@ -118,7 +118,7 @@ class TheatreTest : public QObject {
     theatre_->move_scope({.slide_mm = 25.0, .period_s = 2.0});
     const auto away = fit_rigid<CameraFrame, CameraFrame>(still, theatre_->truth(kFrame).nodes_in_camera);
     QVERIFY(away.translation.z() > 1e-3 && away.translation.head<2>().norm() < 1e-9);
-    QVERIFY_EXCEPTION_THROWN(theatre_->move_scope({.pivot_deg = 99.0}), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, theatre_->move_scope({.pivot_deg = 99.0}));
     QVERIFY(*theatre_->render(kFrame).left.bytes != *standing.bytes);
     // A scope that stands again sees what it saw, organ and wall.
     theatre_->move_scope({});
@@ -314,8 +314,8 @@ class TheatreTest : public QObject {
     const TemporaryFolder folder;
     write_file_atomically(folder.path() / "d.pfm", "Pf\n4 4\n-1.0\nabc");
     int width = 0, height = 0;
-    QVERIFY_EXCEPTION_THROWN(static_cast<void>(read_depth(folder.path() / "d.pfm", width, height)),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             static_cast<void>(read_depth(folder.path() / "d.pfm", width, height)));
   }
 
   void ACancelledTheatreIsNotBuilt() {
@@ -354,20 +354,20 @@ class TheatreTest : public QObject {
     QVERIFY(refused([](TheatreOptions& o) { o.noise = std::nan(""); }));
     PatchOptions patch;
     patch.share = 0.0;
-    QVERIFY_EXCEPTION_THROWN(theatre_->patch(0, patch), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, theatre_->patch(0, patch));
   }
   void AFrameBeyondTheEndThrows() {
-    QVERIFY_EXCEPTION_THROWN(theatre_->render(theatre_->frame_count()), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, theatre_->render(theatre_->frame_count()));
   }
   void APatientWithoutALiverIsRefused() {
-    QVERIFY_EXCEPTION_THROWN(static_cast<void>(Theatre::build({}, small_options(), RunContext())),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             static_cast<void>(Theatre::build({}, small_options(), RunContext())));
   }
   void AnOpenLiverIsRefused() {
     PatientModel patient = test::small_patient();
     patient.surfaces[0].mesh.triangles.conservativeResize(patient.surfaces[0].mesh.triangles.rows() - 3, 3);
-    QVERIFY_EXCEPTION_THROWN(static_cast<void>(Theatre::build(patient, small_options(), RunContext())),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             static_cast<void>(Theatre::build(patient, small_options(), RunContext())));
   }
 };
 

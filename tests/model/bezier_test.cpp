@@ -113,8 +113,8 @@ void BezierTest::TwoPointsAreEnough() {
 }
 
 void BezierTest::OnePointIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(fit_curves({{0, 0, 0}}, 0.1, 1.0), glisson::PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(fit_curves({{0, 0, 0}, {0, 0, 0}}, 0.1, 1.0), glisson::PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(glisson::PreconditionError, fit_curves({{0, 0, 0}}, 0.1, 1.0));
+  QVERIFY_THROWS_EXCEPTION(glisson::PreconditionError, fit_curves({{0, 0, 0}, {0, 0, 0}}, 0.1, 1.0));
 }
 
 QTEST_APPLESS_MAIN(BezierTest)

@@ -213,8 +213,8 @@ void FitToSurfaceTest::AGrooveOfTheBodyIsNotFilled() {
 
 void FitToSurfaceTest::MeshWithoutASurfaceIsRefused() {
   TetMesh mesh = mesh_;
-  QVERIFY_EXCEPTION_THROWN(model::fit_to_surface(mesh, {nullptr, 1.0, {}}, 10.0), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(model::fit_to_surface(mesh, {&kBall, 0.0, {}}, 10.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, model::fit_to_surface(mesh, {nullptr, 1.0, {}}, 10.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, model::fit_to_surface(mesh, {&kBall, 0.0, {}}, 10.0));
 }
 
 QTEST_APPLESS_MAIN(FitToSurfaceTest)

@@ -276,14 +276,14 @@ void LabelsTest::ARootThatIsGivenTwiceMakesOneTree() {
 void LabelsTest::GivenRootFarAwayIsRefused() {
   model::ModelOptions options = quick();
   options.portal_root = in_ct(map_, {5, 5, 5}).transpose();
-  QVERIFY_EXCEPTION_THROWN(model::build_from_labels(map_, options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::build_from_labels(map_, options, RunContext()));
 }
 
 void LabelsTest::NoLiverIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(model::build_from_labels({}, quick(), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::build_from_labels({}, quick(), RunContext()));
   LabelMap none;
   none.voxels = LabelVolume(map_.voxels.grid());
-  QVERIFY_EXCEPTION_THROWN(model::build_from_labels(none, quick(), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::build_from_labels(none, quick(), RunContext()));
 }
 
 void LabelsTest::TwoLargePiecesAreRefused() {
@@ -291,7 +291,7 @@ void LabelsTest::TwoLargePiecesAreRefused() {
   for (int k = 0; k < 12; ++k)
     for (int j = 0; j < 12; ++j)
       for (int i = 0; i < 15; ++i) two.voxels.set({i, j, k}, structure::kParenchyma);
-  QVERIFY_EXCEPTION_THROWN(model::build_from_labels(two, quick(), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::build_from_labels(two, quick(), RunContext()));
 }
 
 void LabelsTest::CancelGivesNothing() {
@@ -307,13 +307,13 @@ void LabelsTest::CancelGivesNothing() {
 void LabelsTest::OptionsOutOfRangeAreRefused() {
   model::ModelOptions options;
   options.target_beams = 0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.mesh.vessel_refinement = 1.5;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options = {};
   options.hepatic_root = Points::Constant(1, 3, std::numeric_limits<double>::quiet_NaN());
-  QVERIFY_EXCEPTION_THROWN(model::build_from_labels(map_, options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::build_from_labels(map_, options, RunContext()));
 }
 
 void LabelsTest::AVesselOutsideTheLiverIsLeftOut() {

@@ -102,9 +102,9 @@ void MeshSurfaceTest::EdgesAreAsLongAsAsked() {
 void MeshSurfaceTest::TooShortEdgesAreRefused() {
   model::MeshOptions options;
   options.edge_mm = 1.0;
-  QVERIFY_EXCEPTION_THROWN(model::mesh_surface(test::sphere(0.06, 4), options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::mesh_surface(test::sphere(0.06, 4), options, RunContext()));
   options.edge_mm = -3.0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
 }
 
 void MeshSurfaceTest::TorusKeepsItsHole() {
@@ -161,30 +161,30 @@ void MeshSurfaceTest::SpecksAreDropped() {
 void MeshSurfaceTest::SeveralLargePiecesAreRefused() {
   const TriangleMesh surface =
       test::joined(test::sphere(0.06, 3), test::moved(test::sphere(0.05, 3), {0.2, 0, 0}));
-  QVERIFY_EXCEPTION_THROWN(model::mesh_surface(surface, with_vertices(150), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::mesh_surface(surface, with_vertices(150), RunContext()));
 }
 
 void MeshSurfaceTest::OpenSurfaceIsRefused() {
   TriangleMesh surface = test::sphere(0.06, 3);
   surface.triangles.conservativeResize(surface.triangle_count() - 1, 3);
-  QVERIFY_EXCEPTION_THROWN(model::mesh_surface(surface, with_vertices(150), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::mesh_surface(surface, with_vertices(150), RunContext()));
 }
 
 void MeshSurfaceTest::NotANumberIsRefused() {
   TriangleMesh surface = test::sphere(0.06, 2);
   surface.vertices(3, 1) = std::numeric_limits<double>::quiet_NaN();
-  QVERIFY_EXCEPTION_THROWN(model::mesh_surface(surface, with_vertices(150), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::mesh_surface(surface, with_vertices(150), RunContext()));
 }
 
 void MeshSurfaceTest::EmptySurfaceIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(model::mesh_surface({}, with_vertices(150), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::mesh_surface({}, with_vertices(150), RunContext()));
 }
 
 void MeshSurfaceTest::OptionsOutOfRangeAreRefused() {
-  QVERIFY_EXCEPTION_THROWN(with_vertices(3).validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, with_vertices(3).validate());
   model::MeshOptions options;
   options.lesion_refinement = 0.0;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
 }
 
 void MeshSurfaceTest::CancelGivesNothing() {

@@ -345,7 +345,7 @@ void SkeletonTest::PruningTakesTheThinnestLeaf() {
   tree.prune(tree.next_to_prune());
   QCOMPARE(tree.branch_count(), 1);
   QCOMPARE(tree.next_to_prune().branch, -1);  // the trunk stays
-  QVERIFY_EXCEPTION_THROWN(tree.prune({}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, tree.prune({}));
 }
 
 void SkeletonTest::OfBranchesAsThinTheShorterGoesFirst() {
@@ -359,13 +359,13 @@ void SkeletonTest::OfBranchesAsThinTheShorterGoesFirst() {
 void SkeletonTest::MaskWithoutMarginIsRefused() {
   Mask mask({4, 4, 4}, {1, 1, 1});
   mask.voxels[mask.offset(0, 2, 2)] = 1;
-  QVERIFY_EXCEPTION_THROWN(model::measure_vessel(mask), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, model::measure_vessel(mask));
 }
 
 void SkeletonTest::RootOutsideIsRefused() {
   const VesselVoxels vessel =
       model::measure_vessel(voxels_of({straight({10, 10, 6}, {10, 10, 20}, 2.0)}, {20, 20, 26}, kSpacing));
-  QVERIFY_EXCEPTION_THROWN(model::skeleton(vessel, {0}, {}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, model::skeleton(vessel, {0}, {}));
 }
 
 void SkeletonTest::ImpossibleBeamLengthsAreRefused() {
@@ -373,7 +373,7 @@ void SkeletonTest::ImpossibleBeamLengthsAreRefused() {
       model::measure_vessel(voxels_of({straight({10, 10, 6}, {10, 10, 30}, 2.0)}, {20, 20, 36}, kSpacing));
   const auto paths = model::skeleton(vessel, {voxel_at(vessel, {10, 10, 6})}, {}).front();
   const model::FittedTree tree(vessel, grid_of(vessel.mask), paths, 2);
-  QVERIFY_EXCEPTION_THROWN(tree.sample({1.0, 2.0, 0.35}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, tree.sample({1.0, 2.0, 0.35}));
 }
 
 QTEST_APPLESS_MAIN(SkeletonTest)

@@ -156,7 +156,7 @@ void SurfacesTest::FolderWithoutLiverIsRefused() {
 }
 
 void SurfacesTest::MissingFolderIsAFileError() {
-  QVERIFY_EXCEPTION_THROWN(model::read_surfaces("no/such/folder", LengthUnit::millimetre), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, model::read_surfaces("no/such/folder", LengthUnit::millimetre));
 }
 
 void SurfacesTest::ListNamesFilesAndUnits() {

@@ -166,8 +166,8 @@ void TreeEditsTest::ACutIsToldBeforeItIsMade() {
   QVERIFY(!cut.whole_tree);
   QVERIFY((cut.part.nodes.row(0).transpose() - mm(100, 0, 40)).norm() < 1e-12);
   QVERIFY(model::pruning_at(trees, mm(0, 0, 5)).whole_tree);
-  QVERIFY_EXCEPTION_THROWN(model::pruning_at(trees, mm(0, 50, 0)), InputError);
-  QVERIFY_EXCEPTION_THROWN(model::pruning_at({}, mm(0, 0, 0)), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::pruning_at(trees, mm(0, 50, 0)));
+  QVERIFY_THROWS_EXCEPTION(InputError, model::pruning_at({}, mm(0, 0, 0)));
 }
 
 void TreeEditsTest::JoinHangsOneTreeOnTheOther() {
@@ -204,7 +204,7 @@ void TreeEditsTest::JoiningAtTellsWhatAJoinHangsAndWhatForbidsIt() {
   trees[1].structure = structure::kHepaticVeins;
   const model::Joining other = model::joining_at(trees, at, to);
   QVERIFY(other.obstacle == Obstacle::two_kinds && other.part.beams.empty());
-  QVERIFY_EXCEPTION_THROWN(model::joining_at(trees, at, mm(0, 200, 0)), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::joining_at(trees, at, mm(0, 200, 0)));
 }
 
 void TreeEditsTest::JoinIsUndoneByReplayingWithoutIt() {
@@ -241,7 +241,7 @@ void TreeEditsTest::EditsFollowOneAnother() {
 void TreeEditsTest::FarFromEveryVesselIsRefused() {
   const std::string text = complaint({fork({0, 0, 0})}, {Kind::prune, mm(0, 50, 0)});
   QVERIFY(text.find("edit 1 (prune)") != std::string::npos && text.find("50 mm") != std::string::npos);
-  QVERIFY_EXCEPTION_THROWN(model::edited_trees({}, {{Kind::set_root, mm(0, 0, 0)}}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, model::edited_trees({}, {{Kind::set_root, mm(0, 0, 0)}}));
 }
 
 void TreeEditsTest::LoopIsRefused() {

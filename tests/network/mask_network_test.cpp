@@ -157,7 +157,7 @@ void MaskNetworkTest::AProgramThatDiesIsToldAndNobodyWaits() {
   QVERIFY2(mask.problem().find("broke the program that runs networks") != std::string::npos,
            mask.problem().c_str());
   QVERIFY(!mask.usable(0.0));
-  QVERIFY_EXCEPTION_THROWN(mask.require_well(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, mask.require_well());
   mask.offer(frame(1));
   mask.wait();
 }

@@ -46,7 +46,7 @@ void AddressTest::NonsenseIsRefused_data() {
 
 void AddressTest::NonsenseIsRefused() {
   QFETCH(QString, text);
-  QVERIFY_EXCEPTION_THROWN(parse_address(text.toStdString()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, parse_address(text.toStdString()));
 }
 
 void AddressTest::OnlyThisComputerIsLocal() {

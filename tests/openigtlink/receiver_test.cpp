@@ -198,11 +198,11 @@ void ReceiverTest::AddressesWithNamesAreRead() {
   for (const char* text :
        {"", "127.0.0.1:18944", "127.0.0.1/Left", "127.0.0.1/,R", "127.0.0.1/L,", "127.0.0.1/L,L",
         "host.example/L,R", "127.0.0.1/LongerThanTwentyLetters,R", "127.0.0.1/a,b,c"})
-    QVERIFY_EXCEPTION_THROWN(parse_pictures(text), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, parse_pictures(text));
   for (const char* text : {"", "127.0.0.1", "127.0.0.1/", "127.0.0.1/a/b"})
-    QVERIFY_EXCEPTION_THROWN(parse_tool(text), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, parse_tool(text));
   ReceiverOptions nowhere = parse_tool("127.0.0.1:0/Tip");
-  QVERIFY_EXCEPTION_THROWN(Receiver{nowhere}, InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, Receiver{nowhere});
 }
 
 QTEST_GUILESS_MAIN(ReceiverTest)

@@ -378,11 +378,11 @@ void SenderTest::NonsenseOptionsAreRefused() {
        {&SenderOptions::surfaces_per_second, &SenderOptions::silence, &SenderOptions::patience}) {
     SenderOptions given = options();
     given.*field = 0.0;
-    QVERIFY_EXCEPTION_THROWN(Sender{given}, InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, Sender{given});
   }
   Sender sender(options());
-  QVERIFY_EXCEPTION_THROWN(sender.withdraw(Validity::valid), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(sender.tell(nullptr, {}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, sender.withdraw(Validity::valid));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, sender.tell(nullptr, {}));
 }
 
 QTEST_GUILESS_MAIN(SenderTest)

@@ -84,7 +84,7 @@ void LabelMapTest::EmptyLabelsHaveNoInside() {
   const auto inside = inside_liver(map);
   QCOMPARE(inside.size(), std::size_t(125));
   QCOMPARE(std::count(inside.begin(), inside.end(), std::uint8_t(0)), std::ptrdiff_t(125));
-  QVERIFY_EXCEPTION_THROWN(inside_liver(map, -1.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, inside_liver(map, -1.0));
 }
 
 void LabelMapTest::RecodeFollowsTheTable() {
@@ -107,8 +107,8 @@ void LabelMapTest::RecodeFollowsTheTable() {
 void LabelMapTest::RecodeRefusesAFileWithoutLiver() {
   LabelVolume foreign(cube(4, 1.0));
   foreign.set({0, 0, 0}, 10);
-  QVERIFY_EXCEPTION_THROWN(recode(file_of(foreign), {{10, structure::kPortalVein}}, "x"), InputError);
-  QVERIFY_EXCEPTION_THROWN(recode(file_of(foreign), {{6, structure::kParenchyma}}, "x"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(foreign), {{10, structure::kPortalVein}}, "x"));
+  QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(foreign), {{6, structure::kParenchyma}}, "x"));
 }
 
 void LabelMapTest::RecodeRefusesAMirroredPatient() {
@@ -121,8 +121,8 @@ void LabelMapTest::RecodeRefusesAMirroredPatient() {
   mirrored.direction(0, 0) = -1.0;
   const LabelVolume turned(mirrored, foreign.dense());
   QVERIFY(looks_mirrored(turned));
-  QVERIFY_EXCEPTION_THROWN(require_not_mirrored(turned, "turned.nii"), InputError);
-  QVERIFY_EXCEPTION_THROWN(recode(file_of(turned), as_they_are, "x"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, require_not_mirrored(turned, "turned.nii"));
+  QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(turned), as_they_are, "x"));
 }
 
 void LabelMapTest::CodesAreReadByName() {
@@ -149,8 +149,8 @@ void LabelMapTest::BadCodesAreRefused() {
   const TemporaryFolder folder;
   const auto path = folder.path() / "codes.json";
   write_file_atomically(path, text.toStdString());
-  QVERIFY_EXCEPTION_THROWN(read_label_codes(path), InputError);
-  QVERIFY_EXCEPTION_THROWN(read_label_codes(folder.path() / "absent.json"), FileError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_label_codes(path));
+  QVERIFY_THROWS_EXCEPTION(FileError, read_label_codes(folder.path() / "absent.json"));
 }
 
 QTEST_APPLESS_MAIN(LabelMapTest)

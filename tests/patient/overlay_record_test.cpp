@@ -318,7 +318,7 @@ void OverlayRecordTest::NodesThatAreNoPointsAreRefused() {
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "frames.jsonl",
                         QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() + "\n");
-  QVERIFY_EXCEPTION_THROWN(read_overlay_record(folder.path() / "frames.jsonl"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_overlay_record(folder.path() / "frames.jsonl"));
 }
 
 QTEST_APPLESS_MAIN(OverlayRecordTest)

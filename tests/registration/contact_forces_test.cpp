@@ -189,7 +189,7 @@ class ContactForcesTest : public QObject {
     QVERIFY2(pulled.error(fit) < without,
              qPrintable(QString("%1, without %2 mm").arg(1e3 * pulled.error(fit)).arg(1e3 * without)));
     options.amplitudes = Eigen::VectorXd::Zero(3);
-    QVERIFY_EXCEPTION_THROWN(pulled.fit(options), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, pulled.fit(options));
   }
 
   void ExpectedErrorGrowsAwayFromWhatIsSeen() {
@@ -219,7 +219,7 @@ class ContactForcesTest : public QObject {
     const auto refused = [&](const auto& change) {
       ContactForceOptions options = pulled.options();
       change(options);
-      QVERIFY_EXCEPTION_THROWN(pulled.fit(options), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, pulled.fit(options));
     };
     refused([](auto& o) { o.materials.clear(); });
     refused([](auto& o) { o.materials.front().poisson_ratio = 0.5; });
@@ -239,9 +239,9 @@ class ContactForcesTest : public QObject {
     refused([](auto& o) { o.fixed_nodes = {-1}; });
     Pulled few;
     few.cloud.points.conservativeResize(9, 3);
-    QVERIFY_EXCEPTION_THROWN(few.fit(few.options()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, few.fit(few.options()));
     few.cloud.points = Points::Constant(20, 3, std::nan(""));
-    QVERIFY_EXCEPTION_THROWN(few.fit(few.options()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, few.fit(few.options()));
   }
 
   void ASeriesOfCloudsIsFollowed() {
@@ -260,7 +260,7 @@ class ContactForcesTest : public QObject {
       // A cloud that is none changes nothing for the next one.
       LabelledCloud few = pulled.cloud;
       few.points.conservativeResize(9, 3);
-      QVERIFY_EXCEPTION_THROWN(follower.follow(few, RunContext()), InputError);
+      QVERIFY_THROWS_EXCEPTION(InputError, follower.follow(few, RunContext()));
     }
   }
 

@@ -230,8 +230,8 @@ void ElasticTest::UnusableInputIsRefused() {
   const auto refused = [&](auto change) {
     ElasticOptions options;
     change(options);
-    QVERIFY_EXCEPTION_THROWN(register_elastic(model_, cloud, phantom::view(), options, RunContext()),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             register_elastic(model_, cloud, phantom::view(), options, RunContext()));
   };
   refused([](ElasticOptions& o) { o.s = 0.0; });
   refused([](ElasticOptions& o) { o.k_surface_min = 1.0; });
@@ -246,13 +246,13 @@ void ElasticTest::UnusableInputIsRefused() {
   few.points.conservativeResize(5, 3);
   few.normals.conservativeResize(5, 3);
   few.features.resize(5);
-  QVERIFY_EXCEPTION_THROWN(register_elastic(model_, few, phantom::view(), {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, register_elastic(model_, few, phantom::view(), {}, RunContext()));
   // Without a single pair nothing is known: that is no residual of zero.
   LabelledCloud turned = cloud;
   turned.normals = -turned.normals;
   turned.features.clear();  // landmarks are found without normals
-  QVERIFY_EXCEPTION_THROWN(register_elastic(model_, turned, phantom::view(), brief(), RunContext()),
-                           InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError,
+                           register_elastic(model_, turned, phantom::view(), brief(), RunContext()));
 }
 
 QTEST_APPLESS_MAIN(ElasticTest)

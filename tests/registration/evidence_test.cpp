@@ -179,9 +179,9 @@ class EvidenceTest : public QObject {
 
   void RefusesWhatDoesNotFit() {
     const Example e;
-    QVERIFY_EXCEPTION_THROWN(EvidenceProblem(e.a, e.y, e.sigma, kGroups, 2, e.fixed), PreconditionError);
-    QVERIFY_EXCEPTION_THROWN(EvidenceProblem(e.a, e.y.head(3), e.sigma, kGroups, kSize, e.fixed),
-                             PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, EvidenceProblem(e.a, e.y, e.sigma, kGroups, 2, e.fixed));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                             EvidenceProblem(e.a, e.y.head(3), e.sigma, kGroups, kSize, e.fixed));
   }
 };
 

@@ -79,7 +79,7 @@ void HandPoseTest::NearerStaysOnItsRay() {
   const CameraFromCt near = at_distance(pose, kMiddle, 0.5);
   QVERIFY((camera().project(placed(near, kMiddle)) - camera().project(placed(pose, kMiddle))).norm() < 1e-9);
   QVERIFY(std::abs(placed(near, kMiddle).z() - 0.07) < 1e-12);
-  QVERIFY_EXCEPTION_THROWN(at_distance(pose, kMiddle, 0.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, at_distance(pose, kMiddle, 0.0));
 }
 
 QTEST_APPLESS_MAIN(HandPoseTest)

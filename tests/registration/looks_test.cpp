@@ -255,7 +255,7 @@ void LooksTest::ALookOfFewPointsIsRefused() {
   const LabelledCloud cloud = phantom::patch(model, phantom::view().apply(model.mesh.vertices), {});
   LabelledCloud few;
   few.points = cloud.points.topRows(5);
-  QVERIFY_EXCEPTION_THROWN(joined({cloud, few}, LookMotions(2)), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, joined({cloud, few}, LookMotions(2)));
 }
 
 QTEST_APPLESS_MAIN(LooksTest)

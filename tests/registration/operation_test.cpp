@@ -245,7 +245,7 @@ void OperationTest::UnusableInputIsRefused() {
   PatientModel unknown = model_;
   unknown.landmarks.vena_cava.resize(0, 3);
   QVERIFY(!can_simulate_operations(unknown));
-  QVERIFY_EXCEPTION_THROWN(simulate_operations(unknown, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, simulate_operations(unknown, {}, RunContext()));
   const auto refused = [&](auto change) {
     OperationOptions options;
     change(options);
@@ -267,9 +267,8 @@ void OperationTest::UnusableInputIsRefused() {
   ShapeFitOptions flat;
   flat.sigma_surface = 0.0;
   const LabelledCloud cloud = phantom::patch(model_, phantom::lying_view().apply(model_.mesh.vertices), {});
-  QVERIFY_EXCEPTION_THROWN(
-      fit_shape(model_, simulated(model_, 50, 1), cloud, {phantom::lying_view(), {}}, flat, RunContext()),
-      InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, fit_shape(model_, simulated(model_, 50, 1), cloud,
+                                                 {phantom::lying_view(), {}}, flat, RunContext()));
 }
 
 QTEST_APPLESS_MAIN(OperationTest)

@@ -292,16 +292,16 @@ void PairsTest::UnusableCloudsAreRefused() {
   few.points.conservativeResize(9, 3);
   few.normals.resize(0, 3);
   few.features.clear();
-  QVERIFY_EXCEPTION_THROWN(prepare_cloud(few, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, prepare_cloud(few, {}));
   LabelledCloud broken = cloud;
   broken.points(5, 1) = std::numeric_limits<double>::quiet_NaN();
-  QVERIFY_EXCEPTION_THROWN(prepare_cloud(broken, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, prepare_cloud(broken, {}));
   LabelledCloud short_labels = cloud;
   short_labels.features.pop_back();
-  QVERIFY_EXCEPTION_THROWN(prepare_cloud(short_labels, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, prepare_cloud(short_labels, {}));
   LabelledCloud short_normals = cloud;
   short_normals.normals.conservativeResize(3, 3);
-  QVERIFY_EXCEPTION_THROWN(prepare_cloud(short_normals, {}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, prepare_cloud(short_normals, {}));
 }
 
 void PairsTest::UnusableOptionsAreRefused() {
@@ -310,7 +310,7 @@ void PairsTest::UnusableOptionsAreRefused() {
   const auto cloud_refuses = [](const std::function<void(CloudOptions&)>& change) {
     CloudOptions options;
     change(options);
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   };
   cloud_refuses([](CloudOptions& o) { o.reference_density_per_cm2 = 0.0; });
   cloud_refuses([](CloudOptions& o) { o.maximum_points = 9; });
@@ -318,7 +318,7 @@ void PairsTest::UnusableOptionsAreRefused() {
   const auto pairs_refuse = [](const std::function<void(PairOptions&)>& change) {
     PairOptions options;
     change(options);
-    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   };
   pairs_refuse([](PairOptions& o) { o.minimum_normal_cosine = 1.5; });
   pairs_refuse([](PairOptions& o) { o.outlier_deviations = 0.0; });

@@ -137,10 +137,10 @@ void PenaltyTest::StiffnessGrowsFromPlateauToPlateau() {
 }
 
 void PenaltyTest::BadArgumentsAreRefused() {
-  QVERIFY_EXCEPTION_THROWN(stiffness_at_plateau(0.0, 1.0, 0, 1), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(stiffness_at_plateau(0.0, 1.0, 2, -1), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(penalty_force(PenaltyForm::corrected, 0.0, 1.0), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(penalty_force(PenaltyForm::corrected, 50.0, -1.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, stiffness_at_plateau(0.0, 1.0, 0, 1));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, stiffness_at_plateau(0.0, 1.0, 2, -1));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, penalty_force(PenaltyForm::corrected, 0.0, 1.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, penalty_force(PenaltyForm::corrected, 50.0, -1.0));
 }
 
 QTEST_APPLESS_MAIN(PenaltyTest)

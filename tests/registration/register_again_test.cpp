@@ -91,11 +91,11 @@ void RegisterAgainTest::TheFirstCloudsMarksTakePart() {
 void RegisterAgainTest::LittleTissueOrAForeignStartIsRefused() {
   const Registration former = at(phantom::view());
   const Points few = tissue().topRows(29);
-  QVERIFY_EXCEPTION_THROWN(register_again(model_, seen(1), few, former, plain(), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, register_again(model_, seen(1), few, former, plain(), RunContext()));
   Registration foreign = former;
   foreign.nodes_in_camera.conservativeResize(3, 3);
-  QVERIFY_EXCEPTION_THROWN(register_again(model_, seen(1), tissue(), foreign, plain(), RunContext()),
-                           InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError,
+                           register_again(model_, seen(1), tissue(), foreign, plain(), RunContext()));
 }
 
 void RegisterAgainTest::CancelGivesNothing() {

@@ -273,15 +273,15 @@ void RegisterModelTest::WhatIsNoPointOfTheCloudChangesNothing() {
 void RegisterModelTest::OptionsThatAreUsedAreChecked() {
   RegisterOptions options = brief();
   options.operation.operations = 1;
-  QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, registered(options));
   options.operations = false;
   options.rigid.starts = 0;
   options.validate();  // neither is used
   options.start = RegisterOptions::Start::automatic;
-  QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, registered(options));
   options = brief();
   options.elastic->max_steps = 0;
-  QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, registered(options));
 }
 
 void RegisterModelTest::ABareMeshIsTakenForHomogeneous() {
@@ -363,7 +363,7 @@ void RegisterModelTest::OneThreadGivesTheBitsOfTwo() {
   QVERIFY(slow == OperationOptions());
   RegisterOptions three = brief();
   three.threads = 3;
-  QVERIFY_EXCEPTION_THROWN(registered(three), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, registered(three));
 }
 
 void RegisterModelTest::CancelGivesNothing() {
@@ -401,7 +401,7 @@ void RegisterModelTest::LandmarksAloneAreRefused() {
   for (const Method method : {Method::automatic, Method::springs, Method::forces}) {
     RegisterOptions options = brief();
     options.method = method;
-    QVERIFY_EXCEPTION_THROWN(register_model(model, cloud, options, RunContext()), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, register_model(model, cloud, options, RunContext()));
   }
 }
 

@@ -40,8 +40,8 @@ void RegistrationFilesTest::WhatIsNoRigidMatrixIsRefused() {
        {"1 0 0 0 1 0", "one", "2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1", "-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1",
         "0 1 0 0 -1 0 0 0 0 0 1 0 10 20 30 1",  // column by column
         "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 5"})
-    QVERIFY_EXCEPTION_THROWN(read_start(written(text), LengthUnit::millimetre), InputError);
-  QVERIFY_EXCEPTION_THROWN(read_start(folder_.path() / "none.txt", LengthUnit::millimetre), FileError);
+    QVERIFY_THROWS_EXCEPTION(InputError, read_start(written(text), LengthUnit::millimetre));
+  QVERIFY_THROWS_EXCEPTION(FileError, read_start(folder_.path() / "none.txt", LengthUnit::millimetre));
 }
 
 void RegistrationFilesTest::ASurfaceIsCarriedByItsModel() {

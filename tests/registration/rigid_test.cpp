@@ -155,19 +155,19 @@ void RigidTest::CancelIsObeyed() {
 void RigidTest::TooFewPointsAreRefused() {
   LabelledCloud cloud;
   cloud.points = Points::Random(9, 3);
-  QVERIFY_EXCEPTION_THROWN(align_rigid(model_, cloud, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, align_rigid(model_, cloud, {}, RunContext()));
   cloud.points = Points::Random(20, 3);
   cloud.points(3, 0) = std::numeric_limits<double>::infinity();
-  QVERIFY_EXCEPTION_THROWN(align_rigid(model_, cloud, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, align_rigid(model_, cloud, {}, RunContext()));
 }
 
 void RigidTest::UnusableOptionsAreRefused() {
   RigidOptions none;
   none.starts = 0;
-  QVERIFY_EXCEPTION_THROWN(none.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, none.validate());
   RigidOptions all;
   all.outlier_share = 1.0;
-  QVERIFY_EXCEPTION_THROWN(all.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, all.validate());
 }
 
 QTEST_APPLESS_MAIN(RigidTest)

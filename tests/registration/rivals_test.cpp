@@ -145,7 +145,7 @@ void RivalsTest::ThereMustBeSuchAPlace() {
   const PatientModel model = phantom::model(6, 5, 3);
   const Registration registration = with_rival(model, 9.0);
   const LabelledCloud cloud = phantom::patch(model, registration.nodes_in_camera, {});
-  QVERIFY_EXCEPTION_THROWN(choose_rival(registration, 1, model, cloud), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, choose_rival(registration, 1, model, cloud));
 }
 
 QTEST_APPLESS_MAIN(RivalsTest)

@@ -137,12 +137,12 @@ void ConnectionsTest::OnlyTipsInTheLiverCount() {
 
 void ConnectionsTest::BadOptionsAreRefused() {
   const auto refused = [](ConnectionOptions options) {
-    QVERIFY_EXCEPTION_THROWN(count_connections(tree(), tree(), kPortal, liver(), options), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, count_connections(tree(), tree(), kPortal, liver(), options));
   };
   refused({0.0, 3.0, 0.9});
   refused({10.0, 0.0, 0.9});
   refused({10.0, 3.0, 1.1});
-  QVERIFY_EXCEPTION_THROWN(count_connections(tree(), tree(), kPortal, {1, 0}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, count_connections(tree(), tree(), kPortal, {1, 0}));
 }
 
 QTEST_APPLESS_MAIN(ConnectionsTest)

@@ -185,11 +185,11 @@ void GrowAroundTest::WhereNothingIsNothingChanges() {
 void GrowAroundTest::WhatIsLockedIsSaid() {
   const StructureClick click = click_on(patient_.image, kPortal, 0.5 * (kBranchFrom + kBranchTo));
   for (const Label locked : {kPortal, structure::kParenchyma})
-    QVERIFY_EXCEPTION_THROWN(grow_around(patient_.image, patient_.labels, {}, click, {locked}, RunContext()),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             grow_around(patient_.image, patient_.labels, {}, click, {locked}, RunContext()));
   const StructureClick outside = click_on(patient_.image, kPortal, Vec(-30, 0, 0));
-  QVERIFY_EXCEPTION_THROWN(grow_around(patient_.image, patient_.labels, {}, outside, {}, RunContext()),
-                           InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError,
+                           grow_around(patient_.image, patient_.labels, {}, outside, {}, RunContext()));
 }
 
 void GrowAroundTest::OnlyNewClicksCount() {

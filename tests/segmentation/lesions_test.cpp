@@ -272,7 +272,7 @@ void LesionsTest::ADiameterDoesNotHideABorder() {
 
 void LesionsTest::ALesionInAHandsOtherUnitsIsRefused() {
   const Phantom made = phantom(dark);
-  QVERIFY_EXCEPTION_THROWN(grown(made, Vec::Zero(), 0.026), InputError);  // metres, not millimetres
+  QVERIFY_THROWS_EXCEPTION(InputError, grown(made, Vec::Zero(), 0.026));  // metres, not millimetres
 }
 
 void LesionsTest::ALesionLargerThanAClickLooksIsTold() {

@@ -84,12 +84,12 @@ void ProposeSeedsTest::HowTheCtIsStoredPlaysNoPart() {
 
 void ProposeSeedsTest::WhatIsNoLiverIsRefused() {
   QCOMPARE(propose_liver_seeds(ball_ct(60.0), RunContext())->rows(), Eigen::Index(5));
-  QVERIFY_EXCEPTION_THROWN(propose_liver_seeds(ball_ct(30.0), RunContext()), InputError);
-  QVERIFY_EXCEPTION_THROWN(propose_liver_seeds(ball_ct(0.0), RunContext()), InputError);
-  QVERIFY_EXCEPTION_THROWN(propose_liver_seeds(Image(), RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, propose_liver_seeds(ball_ct(30.0), RunContext()));
+  QVERIFY_THROWS_EXCEPTION(InputError, propose_liver_seeds(ball_ct(0.0), RunContext()));
+  QVERIFY_THROWS_EXCEPTION(InputError, propose_liver_seeds(Image(), RunContext()));
   Image mri = ball_ct(60.0);
   mri.modality = Modality::mr;
-  QVERIFY_EXCEPTION_THROWN(propose_liver_seeds(mri, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, propose_liver_seeds(mri, RunContext()));
 }
 
 void ProposeSeedsTest::CancelLeavesNothing() {

@@ -429,7 +429,7 @@ void SegmentTest::BadSeedFilesAreRefused() {
   QFETCH(QByteArray, text);
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "seeds.json", text.toStdString());
-  QVERIFY_EXCEPTION_THROWN(read_seeds(folder.path() / "seeds.json"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_seeds(folder.path() / "seeds.json"));
 }
 
 void SegmentTest::BadInputIsRefused() {
@@ -437,38 +437,38 @@ void SegmentTest::BadInputIsRefused() {
   const Seeds good = clicks_in(p.image);
   Seeds none = good;
   none.liver.resize(0, 3);
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, none, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, none, {}, RunContext()));
   Seeds outside = good;
   outside.lesions.push_back(test::points_at(p.image, {{-50, 0, 0}}));
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, outside, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, outside, {}, RunContext()));
   Seeds in_air = good;
   in_air.liver = test::points_at(p.image, {{1, 1, 1}});
   Image air = p.image;
   air.voxels = std::make_shared<const std::vector<std::int16_t>>(p.image.voxels->size(), std::int16_t{-1000});
-  QVERIFY_EXCEPTION_THROWN(segment(air, in_air, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(air, in_air, {}, RunContext()));
   Image unknown = p.image;
   unknown.modality = Modality::other;
-  QVERIFY_EXCEPTION_THROWN(segment(unknown, good, {}, RunContext()), InputError);
-  QVERIFY_EXCEPTION_THROWN(segment(Image(), good, {}, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(unknown, good, {}, RunContext()));
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(Image(), good, {}, RunContext()));
   SegmentationOptions options;
   options.working_spacing_mm = 0.0;
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, good, options, RunContext()));
   options = {};
   options.region = Eigen::AlignedBox3d(Eigen::Vector3d(5, 5, 5), Eigen::Vector3d(6, 6, 6));
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);  // beside the image
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, good, options, RunContext()));  // beside the image
   const auto corner = [&](double n) { return p.image.grid.p_in_ct({n, n, n}).xyz; };
   options.region = Eigen::AlignedBox3d(corner(0.0), corner(12.0));
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);  // no seed in it
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, good, options, RunContext()));  // no seed in it
   options = {};
   options.structures.liver = false;
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);  // nothing kept
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, good, options, RunContext()));  // nothing kept
   const LabelMap empty{LabelVolume(p.image.grid), {}};
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext(), &empty), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, good, options, RunContext(), &empty));
   VolumeGrid shifted = p.image.grid;
   shifted.origin_mm.x() += 10.0;
   const LabelMap elsewhere{LabelVolume(shifted), {}};
-  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, {}, RunContext(), &elsewhere), InputError);
-  QVERIFY_EXCEPTION_THROWN(dice({1, 0}, {1}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(InputError, segment(p.image, good, {}, RunContext(), &elsewhere));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, dice({1, 0}, {1}));
 }
 
 void SegmentTest::DiceOfKnownMasks() {

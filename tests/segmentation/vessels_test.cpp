@@ -222,8 +222,8 @@ void VesselsTest::CutRunsThroughTheNarrowPlace() {
   const std::vector<std::uint8_t> wanted = {1, 1, 1, 1, 0, 0, 0, 0};
   QCOMPARE(cut.first_side(RunContext()).value(), wanted);
   MinCut bad(2);
-  QVERIFY_EXCEPTION_THROWN(bad.join(0, 1, 26, 1.0F), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(bad.join(0, 1, 3, -1.0F), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, bad.join(0, 1, 26, 1.0F));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, bad.join(0, 1, 3, -1.0F));
 }
 
 void VesselsTest::CancelledCutGivesNothing() {

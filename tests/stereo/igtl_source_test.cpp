@@ -121,20 +121,20 @@ void IgtlSourceTest::NobodyThereIsSaid() {
   } catch (const InputError& error) {
     QVERIFY2(QString(error.what()).contains("no server of OpenIGTLink answers"), error.what());
   }
-  QVERIFY_EXCEPTION_THROWN(StereoVideo("igtl:plus.example.org:18944/Left,Right"), InputError);
-  QVERIFY_EXCEPTION_THROWN(StereoVideo("igtl:127.0.0.1:18944"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("igtl:plus.example.org:18944/Left,Right"));
+  QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("igtl:127.0.0.1:18944"));
 }
 
 void IgtlSourceTest::OtherArrangementsAreRefused() {
   SourceOptions options;
   options.left = "igtl:127.0.0.1:1/L,R";
   options.layout = Layout::top_bottom;
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options.layout = Layout::separate;
   options.right = "igtl:127.0.0.1:1/L,R";
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
   options.left = "device:0";
-  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
 }
 
 void IgtlSourceTest::NoCaseReachesIt() {

@@ -60,7 +60,7 @@ void DashesTest::NothingIsDrawnOfNothing() {
   QVERIFY(scene::dashes_of({}, true, 6.0, 4.0).isEmpty());
   QVERIFY(scene::dashes_of({QPointF(1, 1)}, false, 6.0, 4.0).isEmpty());
   QVERIFY(scene::dashes_of({QPointF(1, 1), QPointF(1, 1)}, true, 6.0, 4.0).size() < 3);
-  QVERIFY_EXCEPTION_THROWN(scene::dashes_of({}, true, 0.0, 4.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::dashes_of({}, true, 0.0, 4.0));
 }
 
 }  // namespace glisson

@@ -51,7 +51,7 @@ void GreyWindowTest::WholeRangeOfOneGreyIsAWindow() {
 }
 
 void GreyWindowTest::WholeRangeOfNothingIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(ui::whole_range(Image()), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, ui::whole_range(Image()));
 }
 
 void GreyWindowTest::OwnAndWholeAreNotOfHounsfieldUnits() {
@@ -59,7 +59,7 @@ void GreyWindowTest::OwnAndWholeAreNotOfHounsfieldUnits() {
     if (ui::is_hounsfield(preset))
       QVERIFY(ui::hounsfield_window(preset).width > 0.0);
     else
-      QVERIFY_EXCEPTION_THROWN(ui::hounsfield_window(preset), PreconditionError);
+      QVERIFY_THROWS_EXCEPTION(PreconditionError, ui::hounsfield_window(preset));
   }
 }
 

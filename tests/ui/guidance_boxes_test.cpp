@@ -125,8 +125,8 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   QVERIFY(first && first->kind == engine::Obstacle::Kind::refused);
   ui::PlaybackModel playback(*engine_);
   QVERIFY(playback.obstacle.value().contains(QStringLiteral("refused")));
-  QVERIFY_EXCEPTION_THROWN(
-      engine::apply(engine_->state(), engine::StartTracking{}, RunContext(), engine::Services{}), InputError);
+  QVERIFY_THROWS_EXCEPTION(
+      InputError, engine::apply(engine_->state(), engine::StartTracking{}, RunContext(), engine::Services{}));
   accept->trigger();
   QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
   QVERIFY(accept->isHidden());

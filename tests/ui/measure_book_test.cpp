@@ -134,7 +134,7 @@ void MeasureBookTest::AnotherToolDropsWhatIsDrawn() {
 
 void MeasureBookTest::MeasuringWithoutAToolIsRefused() {
   ui::MeasureBook book;
-  QVERIFY_EXCEPTION_THROWN(book.begin(Plane::axial, Point<CtFrame>()), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, book.begin(Plane::axial, Point<CtFrame>()));
 }
 
 }  // namespace glisson

@@ -51,10 +51,10 @@ void MontageTest::EveryPictureStandsInItsPlaceWithItsName() {
 
 void MontageTest::UnlikePicturesAreRefused() {
   const Picture one = plain(32, 18, 1, 2, 3), other = plain(32, 20, 1, 2, 3);
-  QVERIFY_EXCEPTION_THROWN(scene::montage({}, 2, 1.0), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(scene::montage({{"a", one}, {"b", other}}, 2, 1.0), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(scene::montage({{"a", one}}, 0, 1.0), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(scene::montage({{"a", one}}, 1, 1.5), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::montage({}, 2, 1.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::montage({{"a", one}, {"b", other}}, 2, 1.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::montage({{"a", one}}, 0, 1.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::montage({{"a", one}}, 1, 1.5));
 }
 
 void MontageTest::TheScreensPictureIsTheSamePicture() {

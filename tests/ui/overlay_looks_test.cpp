@@ -233,7 +233,7 @@ void OverlayLooksTest::BadWindowsAreRefused() {
   scene::OverlayStyle style;
   for (const double window : {0.0, -0.1, 1.1}) {
     style.window = window;
-    QVERIFY_EXCEPTION_THROWN(style.validate(), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, style.validate());
   }
 }
 

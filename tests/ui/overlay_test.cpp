@@ -461,29 +461,29 @@ void OverlayTest::FrameOfAnotherSizeIsRefused() {
   scene::OverlayPainter painter(box_patient(), camera);
   Camera other = camera;
   other.width = 320;
-  QVERIFY_EXCEPTION_THROWN(painter.paint(grey_frame(other), OverlayFrame()), InputError);
-  QVERIFY_EXCEPTION_THROWN(painter.paint(Picture(), OverlayFrame()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, painter.paint(grey_frame(other), OverlayFrame()));
+  QVERIFY_THROWS_EXCEPTION(InputError, painter.paint(Picture(), OverlayFrame()));
 }
 
 void OverlayTest::NodesOfAnotherModelAreRefused() {
   const Camera camera = laparoscope();
   scene::OverlayPainter painter(box_patient(), camera);
-  QVERIFY_EXCEPTION_THROWN(painter.paint(grey_frame(camera), at(Points::Ones(3, 3))), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, painter.paint(grey_frame(camera), at(Points::Ones(3, 3))));
   PatientModel empty;
-  QVERIFY_EXCEPTION_THROWN(scene::OverlayPainter(empty, camera), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::OverlayPainter(empty, camera));
 }
 
 void OverlayTest::BadStyleIsRefused() {
   scene::OverlayStyle style;
   style.opacity = 1.5;
-  QVERIFY_EXCEPTION_THROWN(style.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, style.validate());
   style = {};
   style.fade_depth = 0.0;
-  QVERIFY_EXCEPTION_THROWN(style.validate(), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, style.validate());
 }
 
 void OverlayTest::EmptySizeIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(scene::OffscreenRenderer(0, 10), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::OffscreenRenderer(0, 10));
 }
 
 }  // namespace glisson

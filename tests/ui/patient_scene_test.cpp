@@ -239,7 +239,7 @@ void PatientSceneTest::SimplifiedKeepsShape() {
 void PatientSceneTest::WrongNodesAreRefused() {
   scene::PatientScene patient;
   patient.set_model(box_patient());
-  QVERIFY_EXCEPTION_THROWN(patient.set_nodes(Points::Zero(2, 3)), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, patient.set_nodes(Points::Zero(2, 3)));
 }
 
 void PatientSceneTest::WrongSlicePictureIsRefused() {
@@ -247,7 +247,7 @@ void PatientSceneTest::WrongSlicePictureIsRefused() {
   scene::SliceGeometry slice;
   slice.width = slice.height = 4;
   const auto bytes = std::make_shared<std::vector<std::uint8_t>>(27);
-  QVERIFY_EXCEPTION_THROWN(patient.set_slice(slice, {3, 3, 3, bytes}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, patient.set_slice(slice, {3, 3, 3, bytes}));
 }
 
 }  // namespace glisson

@@ -132,7 +132,7 @@ void RegistrationActorsTest::LesionsForcesAndTheOtherPlaceAppearAndGo() {
 void RegistrationActorsTest::NodesOfAnotherModelAreRefused() {
   Stage stage;
   stage.registration.nodes_in_camera.conservativeResize(3, 3);
-  QVERIFY_EXCEPTION_THROWN(stage.actors.show(*stage.drawable, stage.registration, {}, {}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, stage.actors.show(*stage.drawable, stage.registration, {}, {}));
 }
 
 }  // namespace glisson

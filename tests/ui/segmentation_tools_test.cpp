@@ -129,7 +129,7 @@ void SegmentationToolsTest::BrushPaintsWhatIsChosenAndCtrlErases() {
   QCOMPARE(made(edit_tool("erase"), true).label, structure::kPortalVein);
   QVERIFY(made(edit_tool("erase"), false).brush == Paint::Brush::ball);
   QVERIFY(made(edit_tool("erase"), false).path == path_of(3));  // a ball is where it is
-  QVERIFY_EXCEPTION_THROWN(made(edit_tool("smooth"), false), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, made(edit_tool("smooth"), false));
 }
 
 void SegmentationToolsTest::DiscIsPaintedInEveryLayerOfATiltedVolume() {
@@ -283,8 +283,8 @@ void SegmentationToolsTest::ClicksCarryThePlace() {
   QCOMPARE(clicked->tool.as<Islands>().operation, Islands::Operation::remove_clicked);
   const auto opposite = ui::click_edit(edit_tool("islands"), settings, grid, Plane::axial, p, 0, true);
   QCOMPARE(opposite->tool.as<Islands>().operation, Islands::Operation::keep_clicked);
-  QVERIFY_EXCEPTION_THROWN(ui::click_edit(edit_tool("paint"), settings, grid, Plane::axial, p, 0, false),
-                           PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           ui::click_edit(edit_tool("paint"), settings, grid, Plane::axial, p, 0, false));
 }
 
 void SegmentationToolsTest::BranchGoesToTheOtherTree() {
@@ -380,7 +380,7 @@ void SegmentationToolsTest::ToolsOfTheMouseHaveNoWholeEdit() {
   for (const EditTool tool :
        {edit_tool("paint"), edit_tool("scissors"), edit_tool("move_branch"), edit_tool("level_tracing")}) {
     QVERIFY(!ui::is_previewed(tool, settings));
-    QVERIFY_EXCEPTION_THROWN(ui::whole_edit(tool, settings, permuted_grid(), {1, 2}), PreconditionError);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, ui::whole_edit(tool, settings, permuted_grid(), {1, 2}));
   }
   QVERIFY(ui::is_previewed(edit_tool("islands"), settings));
   settings.of<Islands>().operation = Islands::Operation::keep_clicked;

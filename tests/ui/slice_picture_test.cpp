@@ -176,7 +176,7 @@ void SlicePictureTest::CoordinatesCarryAnatomicalLetters() {
   QCOMPARE(scene::anatomical_coordinate(1, 0.04), std::string("P 40.0"));
   QCOMPARE(scene::anatomical_coordinate(2, 0.2), std::string("S 200.0"));
   QCOMPARE(scene::anatomical_coordinate(2, -0.2), std::string("I 200.0"));
-  QVERIFY_EXCEPTION_THROWN(scene::anatomical_coordinate(3, 0.0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::anatomical_coordinate(3, 0.0));
 }
 
 void SlicePictureTest::AnEllipsoidIsCutWhereTheSliceMeetsIt() {
@@ -210,14 +210,14 @@ void SlicePictureTest::BadWindowIsRefused() {
   const Image image = phantom(Eigen::Matrix3d::Identity(), Point<CtFrame>(0.01, -0.02, 0.03));
   const scene::SliceGeometry slice =
       scene::slice_geometry(image.grid, Plane::axial, Point<CtFrame>(0.01, -0.02, 0.03));
-  QVERIFY_EXCEPTION_THROWN(scene::slice_picture(image, nullptr, slice, {40.0, 0.0, 0.3}), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, scene::slice_picture(image, nullptr, slice, {40.0, 0.0, 0.3}));
 }
 
 void SlicePictureTest::EmptyVolumeIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(scene::slice_geometry(VolumeGrid(), Plane::axial, Point<CtFrame>()),
-                           PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(scene::slice_picture(Image(), nullptr, scene::SliceGeometry(), {}),
-                           PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           scene::slice_geometry(VolumeGrid(), Plane::axial, Point<CtFrame>()));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           scene::slice_picture(Image(), nullptr, scene::SliceGeometry(), {}));
 }
 
 }  // namespace glisson

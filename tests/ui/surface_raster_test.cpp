@@ -285,14 +285,14 @@ void SurfaceRasterTest::BacksAreDrawnWhereTheyAreSeen() {
 }
 
 void SurfaceRasterTest::BadInputIsRefused() {
-  QVERIFY_EXCEPTION_THROWN(scene::SurfaceRaster(Camera{}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::SurfaceRaster(Camera{}));
   const scene::SurfaceRaster raster(laparoscope(kHalf));
   const TriangleMesh ball = ball_mesh({0, 0, 0.1}, 0.01, 8);
   scene::SurfaceLayer layer = raster.layer(), other;
-  QVERIFY_EXCEPTION_THROWN(raster.draw(ball.vertices, ball.triangles, 0, layer), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(raster.draw(ball.vertices, ball.triangles, 1, other), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(raster.fill({}, {}, 1, {0, layer.height + 1}, layer), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(scene::row_bands({}, 10, 0), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, raster.draw(ball.vertices, ball.triangles, 0, layer));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, raster.draw(ball.vertices, ball.triangles, 1, other));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, raster.fill({}, {}, 1, {0, layer.height + 1}, layer));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, scene::row_bands({}, 10, 0));
 }
 
 }  // namespace glisson

@@ -278,7 +278,7 @@ void TimelineTest::KeysDoWhatButtonsDo() {
 void TimelineTest::TheWholeScreenShowsTheSame() {
   start(240);
   QTest::keyClick(guidance_->picture(), Qt::Key_F11);
-  const auto whole = [this]() -> ui::LiveView* {
+  const auto whole = []() -> ui::LiveView* {
     for (QWidget* widget : QApplication::topLevelWidgets())
       if (widget->objectName() == QStringLiteral("whole_screen_view") && widget->isVisible())
         return qobject_cast<ui::LiveView*>(widget);

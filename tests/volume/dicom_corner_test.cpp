@@ -229,7 +229,7 @@ void DicomCornerTest::SeriesAreListedInArchivesToo() {
   QCOMPARE(std::system(("tar -czf " + archive + " -C " + folder.path().string() + " two").c_str()), 0);
   QCOMPARE(list_series(archive, RunContext()).value().size(), std::size_t(2));
   QVERIFY(test::shows_world(image_in(archive, "1.2.3.4")));
-  QVERIFY_EXCEPTION_THROWN(list_series(folder.path() / "absent", RunContext()), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, list_series(folder.path() / "absent", RunContext()));
   const auto flag = std::make_shared<CancelFlag>();
   flag->request();
   QVERIFY(!list_series(archive, RunContext(nullptr, flag, 1)).has_value());
@@ -261,7 +261,7 @@ void DicomCornerTest::AFileHasNoSeriesToChoose() {
   const TemporaryFolder folder;
   write_image(folder.path() / "a.nrrd", test::stored_world(0));
   QVERIFY(refusal_of(folder.path() / "a.nrrd", "4").contains("cannot be chosen in a file"));
-  QVERIFY_EXCEPTION_THROWN(list_series(folder.path() / "a.nrrd", RunContext()), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, list_series(folder.path() / "a.nrrd", RunContext()));
 }
 
 void DicomCornerTest::TheTiltOfTheGantryIsTold() {

@@ -275,8 +275,8 @@ void DicomSegmentationTest::DamagedFilesAreRefusedOrRead() {
 }
 
 void DicomSegmentationTest::NoLabelsAreNotWritten() {
-  QVERIFY_EXCEPTION_THROWN(write_dicom_labels(at("a.dcm"), LabelVolume(oblique_grid(false)), {}, {}),
-                           InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError,
+                           write_dicom_labels(at("a.dcm"), LabelVolume(oblique_grid(false)), {}, {}));
   QVERIFY(!fs::exists(at("a.dcm")));
 }
 

@@ -166,10 +166,10 @@ void IoTest::GridsThatDifferAreRefused() {
   VolumeGrid b = a;
   require_same_grid(a, b, "labels");
   b.origin_mm.x() += 0.5;
-  QVERIFY_EXCEPTION_THROWN(require_same_grid(a, b, "labels"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, require_same_grid(a, b, "labels"));
   b = a;
   b.size.x() += 1;
-  QVERIFY_EXCEPTION_THROWN(require_same_grid(a, b, "labels"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, require_same_grid(a, b, "labels"));
 }
 
 void IoTest::RealSeriesAndItsLabelsLieOnOneGrid() {

@@ -122,12 +122,12 @@ void LabelVolumeTest::EqualityLooksAtContentNotAtSharing() {
 
 void LabelVolumeTest::RefusesVoxelsOutsideAndWrongSizes() {
   LabelVolume volume(kGrid);
-  QVERIFY_EXCEPTION_THROWN(volume.set({70, 0, 0}, 1), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(volume.set({0, -1, 0}, 1), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN((void)volume.at({0, 0, 33}), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(LabelVolume(kGrid, std::vector<Label>(3)), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN((void)volume.bricks_differing_from(LabelVolume(grid_of(1, 1, 1))),
-                           PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, volume.set({70, 0, 0}, 1));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, volume.set({0, -1, 0}, 1));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, (void)volume.at({0, 0, 33}));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, LabelVolume(kGrid, std::vector<Label>(3)));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           (void)volume.bricks_differing_from(LabelVolume(grid_of(1, 1, 1))));
 }
 
 QTEST_APPLESS_MAIN(LabelVolumeTest)

@@ -171,8 +171,8 @@ void MorphologyTest::CropAndPasteGoThereAndBack() {
 
 void MorphologyTest::CropOutsideIsRefused() {
   const Mask mask({4, 4, 4}, {1, 1, 1});
-  QVERIFY_EXCEPTION_THROWN(crop(mask.size, mask.spacing_mm, mask.voxels, {{0, 0, 0}, {5, 4, 4}}),
-                           PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           crop(mask.size, mask.spacing_mm, mask.voxels, {{0, 0, 0}, {5, 4, 4}}));
 }
 
 QTEST_APPLESS_MAIN(MorphologyTest)

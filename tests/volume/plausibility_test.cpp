@@ -80,7 +80,7 @@ void PlausibilityTest::NumbersThatAreNoHounsfieldUnitsAreTold() {
   Image other = half;
   other.modality = Modality::mr;
   QCOMPARE(image_doubts(other), Doubts());
-  QVERIFY_EXCEPTION_THROWN(image_doubts(Image()), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, image_doubts(Image()));
 }
 
 void PlausibilityTest::ALostInterceptIsToldWithWhatSpeaksForIt() {

@@ -73,8 +73,8 @@ class RefusalTest : public QObject {
 
 void RefusalTest::MissingFilesAndEmptyFolders() {
   const TemporaryFolder folder;
-  QVERIFY_EXCEPTION_THROWN(read_image(folder.path() / "absent.nrrd", RunContext()), FileError);
-  QVERIFY_EXCEPTION_THROWN(read_labels(folder.path() / "absent.nrrd"), FileError);
+  QVERIFY_THROWS_EXCEPTION(FileError, read_image(folder.path() / "absent.nrrd", RunContext()));
+  QVERIFY_THROWS_EXCEPTION(FileError, read_labels(folder.path() / "absent.nrrd"));
   QVERIFY(refusal_of(folder.path()).contains("is an empty folder"));
   put_text(folder.path() / "notes.txt", "no picture");
   QVERIFY(refusal_of(folder.path()).contains("holds no DICOM image"));
@@ -202,7 +202,7 @@ void RefusalTest::NumbersThatAreNoIntensities() {
 void RefusalTest::LabelsThatAreNoLabels() {
   const TemporaryFolder folder;
   write_image(folder.path() / "ct.nrrd", test::stored_world(0));
-  QVERIFY_EXCEPTION_THROWN(read_labels(folder.path() / "ct.nrrd"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_labels(folder.path() / "ct.nrrd"));
 }
 
 void RefusalTest::VtiKeepsOriginExtentAndDirection() {
@@ -258,7 +258,7 @@ void RefusalTest::LayersOfASegmentationAreFlattened() {
   QCOMPARE(counts[labels.infos[0].code], 2L);  // the smaller lies above the larger
   QCOMPARE(counts[labels.infos[1].code], 6L);
   put_text(folder.path() / "a.seg.nrrd", file("7"));
-  QVERIFY_EXCEPTION_THROWN(read_labels(folder.path() / "a.seg.nrrd"), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, read_labels(folder.path() / "a.seg.nrrd"));
 }
 
 void RefusalTest::TheReaderCanBeMissing() {
@@ -276,10 +276,10 @@ void RefusalTest::TheReaderCanBeMissing() {
 void RefusalTest::WritersRefuseWhatTheyCannotWrite() {
   const TemporaryFolder folder;
   const Image image = test::stored_world(0);
-  QVERIFY_EXCEPTION_THROWN(write_image(folder.path() / "a.png", image), InputError);
-  QVERIFY_EXCEPTION_THROWN(write_image(folder.path() / "absent" / "a.nrrd", image), FileError);
-  QVERIFY_EXCEPTION_THROWN(write_image(folder.path() / "a.nrrd", Image()), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(write_labels(folder.path() / "a.nrrd", LabelVolume(), {}), PreconditionError);
+  QVERIFY_THROWS_EXCEPTION(InputError, write_image(folder.path() / "a.png", image));
+  QVERIFY_THROWS_EXCEPTION(FileError, write_image(folder.path() / "absent" / "a.nrrd", image));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, write_image(folder.path() / "a.nrrd", Image()));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, write_labels(folder.path() / "a.nrrd", LabelVolume(), {}));
   // Nothing is left behind.
   QVERIFY(fs::is_empty(folder.path()));
 }

@@ -192,7 +192,7 @@ void SeriesTest::PixelsThatCannotBeDecodedCostThePictureOnly() {
   QCOMPARE(names_of(all).join(' '), QString("cut whole"));
   QVERIFY(all[0].picture.grey.empty() && all[0].picture.values == 0 && !has(all[0], SeriesDoubt::mask));
   QVERIFY(!all[1].picture.grey.empty());
-  QVERIFY_EXCEPTION_THROWN((void)read_image(folder.path(), RunContext(), all[0].uid), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, (void)read_image(folder.path(), RunContext(), all[0].uid));
 }
 
 void SeriesTest::TextsAreUtf8() {
