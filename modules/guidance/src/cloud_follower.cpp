@@ -59,6 +59,8 @@ Validity CloudFollower::by_forces(const LabelledCloud& cloud, FollowedBody& body
     overlay.pairs = static_cast<int>(std::lround((1.0 - fit->outlier_share) * cloud.size()));
     overlay.residual = fit->residual;
     return Validity::valid;
+  } catch (const registration::ForeignCloud&) {
+    return Validity::surface_apart;
   } catch (const NumericalError&) {
     return Validity::mechanics_failed;
   } catch (const InputError&) {

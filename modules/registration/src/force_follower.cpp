@@ -16,10 +16,10 @@ namespace {
 /// How many times more a cloud must tell than all before it, for the law to be chosen again. What a cloud can
 /// tell is bounded (its motion is, its noise is at least the last stage's), so there are few such searches.
 constexpr double kTellsMore = 1.5;
-/// @throws NumericalError the cloud shows something else.
+/// @throws ForeignCloud.
 void require_tissue(const ContactForceFit& fit, int elements) {
   if (is_beyond_tissue(fit, elements))
-    throw NumericalError(
+    throw ForeignCloud(
         "The cloud is explained only by a shape that no tissue has: " + std::to_string(fit.inverted) +
         " elements are inside out, " + std::to_string(100.0 * fit.torn) + " % of the volume is torn.");
 }

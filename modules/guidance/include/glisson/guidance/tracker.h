@@ -85,7 +85,8 @@ class Tracker {
   /// contact forces (registration/force_follower.h), or eq. 14 on the whole surface at its final stiffness,
   /// `steps` implicit steps with new pairs each. Repeated points and those at the lens are left out. A cloud
   /// that would bring the organ 20 mm away, mean over the nodes, is surface_apart: closest points cannot tell
-  /// it from another organ, unit or camera. It is forgotten, the organ stays.
+  /// it from another organ, unit or camera. So is one that only a shape explains which no tissue has
+  /// (registration::is_beyond_tissue()). It is forgotten, the organ stays.
   OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps);
 
   /// A hand says where a place of the organ is in the last frame. The registered shape goes there, as

@@ -3,9 +3,17 @@
 
 #include <memory>
 
+#include "glisson/core/error.h"
 #include "glisson/registration/contact_forces.h"
 
 namespace glisson::registration {
+
+/// A followed cloud shows something else than the organ: no tissue has the shape that explains it
+/// (is_beyond_tissue()).
+class ForeignCloud : public NumericalError {
+ public:
+  using NumericalError::NumericalError;
+};
 
 /// A series of clouds of one organ by contact forces (contact_forces.h). The first cloud chooses the law, and
 /// a later one again where it tells laws apart better than all before: by a larger motion over its noise.
@@ -22,8 +30,7 @@ class ForceFollower {
   ForceFollower& operator=(ForceFollower&&) noexcept;
 
   /// The next cloud, in the camera's frame. After a failure the next one is followed from the last that
-  /// succeeded. @throws InputError, NumericalError as fit_contact_forces; NumericalError the cloud shows
-  /// something else (is_beyond_tissue()).
+  /// succeeded. @throws InputError, NumericalError as fit_contact_forces; ForeignCloud.
   Cancellable<ContactForceFit> follow(const LabelledCloud& cloud, const RunContext& context);
 
   /// The next cloud is followed from where the organ was before the last one, as if that had not been.
