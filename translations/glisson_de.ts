@@ -6168,6 +6168,10 @@
         <translation>Die Ansicht %1 passt viel schlechter als die anderen: kalibrieren Sie neu ohne sie.</translation>
     </message>
     <message>
+        <source>The case was opened without its laparoscope&apos;s calibration: load a right one and reconstruct the surface again; points and registration are out of date. Saved now, the case loses this one. (%*)</source>
+        <translation>Der Fall wurde ohne die Kalibrierung seines Laparoskops geöffnet: laden Sie eine richtige und rekonstruieren Sie die Oberfläche neu; Punkte und Registrierung sind veraltet. Wird der Fall jetzt gespeichert, geht diese verloren. (%*)</translation>
+    </message>
+    <message>
         <source>The case was opened without its cloud of points: reconstruct the surface or import the cloud again. Saved now, the case loses what is left of it. (%*)</source>
         <translation>Der Fall wurde ohne seine Punktwolke geöffnet: rekonstruieren Sie die Oberfläche neu oder importieren Sie die Wolke noch einmal. Wird der Fall jetzt gespeichert, geht verloren, was von ihr übrig ist. (%*)</translation>
     </message>

@@ -6168,6 +6168,10 @@
         <translation>La vue %1 s’ajuste bien moins que les autres : recommencez l’étalonnage sans elle.</translation>
     </message>
     <message>
+        <source>The case was opened without its laparoscope&apos;s calibration: load a right one and reconstruct the surface again; points and registration are out of date. Saved now, the case loses this one. (%*)</source>
+        <translation>Le cas a été ouvert sans l&apos;étalonnage de son laparoscope : chargez-en un correct et reconstruisez la surface ; points et recalage sont périmés. Enregistré maintenant, le cas perd celui-ci. (%*)</translation>
+    </message>
+    <message>
         <source>The case was opened without its cloud of points: reconstruct the surface or import the cloud again. Saved now, the case loses what is left of it. (%*)</source>
         <translation>Le cas a été ouvert sans son nuage de points : reconstruisez la surface ou importez de nouveau le nuage. Enregistré maintenant, le cas perd ce qu’il en reste. (%*)</translation>
     </message>

@@ -56,6 +56,8 @@ class CaseStereoTest : public QObject {
   void WhatIsWrongWithThePointsIsNamedAndTheRestIsThere();
   void PointsOfOtherPicturesAreRefused();
   void ALostCloudLeavesTheRestAndASaveKeepsIt();
+  void ACalibrationThatIsRefusedByNowIsNamedAndTheRestIsThere_data();
+  void ACalibrationThatIsRefusedByNowIsNamedAndTheRestIsThere();
   void ADiskThatFillsUpLeavesTheOldPoints();
   void ACalibrationOfWholeViewsFitsACroppedSource();
   void PairAndCalibrationOfAnotherSizeComeInEitherOrder();
@@ -326,6 +328,43 @@ void CaseStereoTest::ALostCloudLeavesTheRestAndASaveKeepsIt() {
   const CaseState now = after(*opened, {again, SaveCase{}});
   QCOMPARE(now[part::cloud]->features, state_[part::cloud]->features);  // made again as it was
   QVERIFY((*open_case(path, RunContext()))[part::points]);
+}
+
+void CaseStereoTest::ACalibrationThatIsRefusedByNowIsNamedAndTheRestIsThere_data() {
+  QTest::addColumn<QString>("mentions");
+  QTest::addRow("skew") << "M1: has a skew of 5";
+  QTest::addRow("transposed") << "M1: is transposed";
+  QTest::addRow("missing") << "calibration.yaml";
+}
+
+void CaseStereoTest::ACalibrationThatIsRefusedByNowIsNamedAndTheRestIsThere() {
+  QFETCH(QString, mentions);
+  const fs::path path = copy(), file = path / "calibration.yaml";
+  StereoRig rig = *state_[part::rig];
+  const std::string damage = QTest::currentDataTag();
+  if (damage == "skew") rig.left.matrix(0, 1) = 5.0;
+  if (damage == "transposed") rig.left.matrix.transposeInPlace();
+  stereo::write_calibration(file, rig);
+  if (damage == "missing") fs::remove(file);
+  const std::string thrown = test::complaint<Error>([&] { open_case(path, RunContext()); });
+  QVERIFY2(thrown.find(mentions.toStdString()) != std::string::npos && thrown.ends_with('.'), thrown.c_str());
+  const auto opened = engine();
+  const Outcome outcome = opened->wait(opened->post(OpenCase{path}));
+  QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
+  QCOMPARE(of_parts(outcome.notes), std::vector<std::string>{"case.calibration_lost " + thrown});
+  const auto snapshot = opened->snapshot();
+  const CaseState& state = snapshot->state;
+  QVERIFY(!state[part::rig] && state[part::frame] && state[part::regions] && state[part::cloud]);
+  QVERIFY(state[part::points] && !state[part::points]->rig);
+  // What was made with it does not hold.
+  QCOMPARE(snapshot->stage(part::cloud), StageState::stale);
+  after(*opened, {SetCalibration{folder_.path() / "scope.yaml"}});
+  QCOMPARE(opened->snapshot()->stage(part::cloud), StageState::stale);
+  Reconstruct again;
+  again.options = state_[part::points]->options;
+  const CaseState now = after(*opened, {again, SaveCase{}});
+  QCOMPARE(now[part::cloud]->features, state_[part::cloud]->features);
+  QVERIFY((*open_case(path, RunContext()))[part::rig]);
 }
 
 void CaseStereoTest::ADiskThatFillsUpLeavesTheOldPoints() {

@@ -264,6 +264,10 @@ class Notes {
             "wrong. Calibrate with boards in the corners, too, and without k3.")},
         {"volume.files_missing", tr("The DICOMDIR names files that are not there: slices may be missing. "
                                     "Copy the whole medium. (%*)")},
+        {"case.calibration_lost",
+         tr("The case was opened without its laparoscope's calibration: load a right one and reconstruct the "
+            "surface again; points and registration are out of date. Saved now, the case loses this one. "
+            "(%*)")},
         {"case.cloud_lost",
          tr("The case was opened without its cloud of points: reconstruct the surface or import the cloud "
             "again. Saved now, the case loses what is left of it. (%*)")},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "case_files.h"
 #include "glisson/stereo/calibration_io.h"
 
 namespace glisson::engine {
@@ -15,9 +16,12 @@ json save(const CaseState& state, const CaseFolder& folder) {
   return json::object();
 }
 
+/// What an earlier program took (a skew, a transposed matrix) may be refused by now.
 void load(CaseState& state, const json&, const CaseFolder& folder) {
-  state[part::rig] =
-      std::make_shared<const StereoRig>(stereo::read_calibration(folder.path / "calibration.yaml"));
+  or_lost(folder, "case.calibration_lost", [&] {
+    state[part::rig] =
+        std::make_shared<const StereoRig>(stereo::read_calibration(folder.path / "calibration.yaml"));
+  });
 }
 
 /// To a millionth of the largest number: a file rounds.

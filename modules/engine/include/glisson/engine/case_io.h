@@ -49,8 +49,8 @@ std::string edition_on_disk(const std::filesystem::path& folder);
 
 /// Reads a case, stamps included.
 /// @param lost receives what could not be read but can be spared: the case is opened without it. One note
-///   each: "case.cloud_lost SENTENCE", likewise points_lost (of the stereo pair), former_registration_lost
-///   and operations_lost. Null: these are thrown, too.
+///   each: "case.cloud_lost SENTENCE", likewise calibration_lost, points_lost (of the stereo pair),
+///   former_registration_lost and operations_lost. Null: these are thrown, too.
 /// @throws FileError missing; InputError not a case, newer format, a part that is malformed (named).
 Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunContext& context,
                                  std::vector<std::string>* lost = nullptr);
