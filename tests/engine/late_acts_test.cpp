@@ -2,9 +2,15 @@
 // What a person did to a case, its image or its labels is not done to what has taken their place since.
 #include <QTest>
 
+#include "complaint.h"
 #include "gate.h"
 #include "glisson/core/files.h"
 #include "glisson/editing/tools/threshold.h"
+#include "glisson/engine/commands/accept_registration.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/check_model.h"
+#include "glisson/engine/commands/choose_rival.h"
+#include "glisson/engine/commands/decide_segmentation.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/export_labels.h"
 #include "glisson/engine/commands/import_image.h"
@@ -14,11 +20,18 @@
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/set_review.h"
 #include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/offer.h"
+#include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/preview.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/review.h"
+#include "glisson/registration/refusal.h"
 #include "labelled_ct.h"
 #include "runners.h"
 #include "seeded_case.h"
@@ -67,6 +80,8 @@ class LateActsTest : public QObject {
   void WhatIsDoneWhileAnotherCaseOpensIsNotDoneToIt();
   void ACaseThatIsChosenWhileAnotherOpensIsOpened();
   void LabelsThatNobodyHasSeenAreNotApproved();
+  void WhatNobodyHasSeenIsNotAccepted();
+  void AModelThatComesWhileAPersonClicksIsNotChecked();
   void APreviewOfAFormerImageIsNotApplied();
   void ThereIsNoWayBackToLabelsOfAFormerImage();
 
@@ -130,6 +145,60 @@ void LateActsTest::LabelsThatNobodyHasSeenAreNotApproved() {
   QVERIFY(review->at(structure::kParenchyma) != ReviewState::approved);
   const auto now = engine.snapshot()->state[part::labels];
   QCOMPARE(done(engine, SetReview{structure::kParenchyma, ReviewState::approved, now}), Status::done);
+}
+
+void LateActsTest::WhatNobodyHasSeenIsNotAccepted() {
+  Registration refused;
+  refused.doubts = {registration::kRefused};
+  const auto seen = std::make_shared<const Registration>(refused);
+  CaseState state;
+  state[part::registration] = std::make_shared<const Registration>(refused);
+  state[part::model] = std::make_shared<const model::BuiltModel>();
+  state[part::offer] = std::make_shared<const SegmentationOffer>();
+  state[part::other_registration] = std::make_shared<const OtherRegistration>();
+  const auto told = [&state](const Command& command) {
+    return test::complaint([&] { command.apply(state, RunContext(), plain_services()); });
+  };
+  const auto is_unseen = [&](const Command& command, const char* what) {
+    return told(command).starts_with(std::string("case: ") + what + ": has changed since it was looked at");
+  };
+  QVERIFY(is_unseen(AcceptRegistration{seen}, "registration"));
+  QVERIFY(is_unseen(ChooseRival{0, seen}, "registration"));
+  QVERIFY(is_unseen(CheckModel{{true}, std::make_shared<const model::BuiltModel>()}, "model"));
+  QVERIFY(is_unseen(TakeRegistration{std::make_shared<const OtherRegistration>()}, "other_registration"));
+  for (const auto choice : {DecideSegmentation::Choice::take, DecideSegmentation::Choice::keep_all})
+    QVERIFY(
+        is_unseen(DecideSegmentation{choice, true, std::make_shared<const SegmentationOffer>()}, "offer"));
+  // What was seen, and what a script says of whatever there is.
+  QVERIFY(told(AcceptRegistration{state[part::registration]}).empty());
+  QVERIFY(told(AcceptRegistration{}).empty());
+  QVERIFY(told(CheckModel{{true}, state[part::model]}).empty());
+  QVERIFY(told(DecideSegmentation{DecideSegmentation::Choice::keep_all, true, state[part::offer]}).empty());
+}
+
+void LateActsTest::AModelThatComesWhileAPersonClicksIsNotChecked() {
+  Gate gate;
+  Engine::Options options;
+  options.apply = [&gate, built = 0](const CaseState& state, const Command& command,
+                                     const RunContext& context,
+                                     const Services& services) mutable -> Cancellable<Applied> {
+    if (command.as<BuildModel>() == nullptr) return apply(state, command, context, services);
+    if (built++ > 0) gate.pass();
+    Applied applied{state};
+    applied.state[part::model] = std::make_shared<const model::BuiltModel>();
+    return applied;
+  };
+  Engine engine(std::move(options));
+  QCOMPARE(done(engine, BuildModel{}), Status::done);
+  const auto seen = engine.snapshot()->state[part::model];
+  engine.post(BuildModel{});
+  gate.wait_for_arrival();
+  const CommandId click = engine.post(CheckModel{{true}, seen});
+  gate.open();
+  QCOMPARE(engine.wait(click).status, Status::failed);
+  QVERIFY(!is_model_checked(engine.snapshot()->state));
+  QCOMPARE(done(engine, CheckModel{{true}, engine.snapshot()->state[part::model]}), Status::done);
+  QVERIFY(is_model_checked(engine.snapshot()->state));
 }
 
 void LateActsTest::APreviewOfAFormerImageIsNotApplied() {

@@ -6,6 +6,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/refusal.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -19,6 +20,7 @@ CommandTraits AcceptRegistration::traits() const {
 }
 
 Cancellable<Applied> AcceptRegistration::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::registration, seen);
   Applied applied{state};
   Registration accepted = *state[part::registration];
   registration::accept_refusal(accepted);

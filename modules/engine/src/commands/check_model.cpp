@@ -2,6 +2,7 @@
 #include "glisson/engine/commands/check_model.h"
 
 #include "glisson/engine/parts/model.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -14,6 +15,7 @@ CommandTraits CheckModel::traits() const {
 }
 
 Cancellable<Applied> CheckModel::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::model, seen);
   Applied applied{state};
   applied.state[part::check] = std::make_shared<const ModelCheck>(check);
   return applied;

@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/rivals.h"
 #include "registration_figures.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -20,6 +21,7 @@ CommandTraits ChooseRival::traits() const {
 }
 
 Cancellable<Applied> ChooseRival::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::registration, seen);
   Applied applied{state};
   Registration chosen = registration::choose_rival(*state[part::registration], rival,
                                                    state[part::model]->model, *state[part::cloud]);

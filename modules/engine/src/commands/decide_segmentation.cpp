@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
 #include "label_steps.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -23,6 +24,7 @@ CommandTraits DecideSegmentation::traits() const {
 }
 
 Cancellable<Applied> DecideSegmentation::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::offer, seen);
   Applied applied{state};
   const auto offer = state[part::offer];
   applied.state[part::offer] = nullptr;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/set_review.h"
 
-#include "glisson/core/error.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/review.h"
 #include "label_steps.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -17,9 +17,7 @@ CommandTraits SetReview::traits() const {
 }
 
 Cancellable<Applied> SetReview::apply(const CaseState& before, const RunContext&) const {
-  if (seen && seen != before[part::labels])
-    throw InputError("labels", structure_name(label), "has changed since it was looked at",
-                     "Look at it as it is now, and say it again");
+  require_seen(before, part::labels, seen);
   Applied applied{before};
   Review review = review_or_none(before);
   review[label] = state;

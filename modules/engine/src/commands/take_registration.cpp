@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/refusal.h"
+#include "seen.h"
 
 namespace glisson::engine {
 namespace {
@@ -36,6 +37,7 @@ CommandTraits TakeRegistration::traits() const {
 
 Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunContext&,
                                              const Services& services) const {
+  require_seen(state, part::other_registration, seen);
   Follower& follower = follower_of(services);
   OtherRegistration former = other_of(state);
   auto taken = std::make_shared<const Registration>(std::move(former.registration));

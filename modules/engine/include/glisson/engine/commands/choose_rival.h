@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "glisson/engine/command.h"
+#include "glisson/patient/registration.h"
 
 namespace glisson::engine {
 
@@ -11,7 +13,11 @@ namespace glisson::engine {
 /// (registration::choose_rival). Chosen once more, the former place is back.
 struct ChooseRival {
   std::size_t rival = 0;  ///< of Registration::rivals
+  /// The registration whose rivals the person has looked at; null: whatever the case holds.
+  std::shared_ptr<const Registration> seen = {};
+
   CommandTraits traits() const;
+  /// @throws InputError `seen` is not what the case holds, or there is no such rival.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "glisson/engine/command.h"
+#include "glisson/engine/parts/offer.h"
 
 namespace glisson::engine {
 
@@ -12,9 +15,12 @@ struct DecideSegmentation {
   Choice choice = Choice::keep_all;
   /// As the offer has it: what is kept of the labels stays as old as it was.
   bool keeps_labels = true;
+  /// The offer that the person has looked at; null: whatever the case holds.
+  std::shared_ptr<const SegmentationOffer> seen = {};
 
   CommandTraits traits() const;
-  /// @throws InputError the offer is of another CT, other seeds or other labels than the case's.
+  /// @throws InputError `seen` is not what the case holds; the offer is of another CT, other seeds or other
+  /// labels than the case's.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 
