@@ -42,6 +42,7 @@ class KeepLookTest : public QObject {
   Q_OBJECT
  private slots:
   void ALookIsKeptOnceAndIsNotJoinedWithItself();
+  void TheLookThatAPersonSeesIsKept();
   void ALookOfAFileIsKept();
   void NoMoreThanCanBeJoinedAreKept();
   void LooksComeBackWithTheCase();
@@ -64,6 +65,19 @@ void KeepLookTest::ALookIsKeptOnceAndIsNotJoinedWithItself() {
   state = after(state, ForgetLooks{});
   QVERIFY(!state[part::earlier_looks]);
   QVERIFY(looks_to_join(state).empty());
+}
+
+void KeepLookTest::TheLookThatAPersonSeesIsKept() {
+  KeepLook keep;
+  keep.seen = look(1);
+  CaseState state;
+  state[part::cloud] = look(2);  // has come since
+  state = after(state, keep);
+  QVERIFY(state[part::earlier_looks]->clouds[0] == keep.seen);
+  QCOMPARE(looks_to_join(state).size(), std::size_t{1});
+  QVERIFY_THROWS_EXCEPTION(InputError, after(state, keep));
+  // A new cloud that is being made is neither waited for nor taken.
+  QVERIFY(!keep.traits().reads.has(part::cloud) && keep.traits().lane == Lane::edits);
 }
 
 void KeepLookTest::ALookOfAFileIsKept() {

@@ -31,17 +31,20 @@ void require_room_for(const LabelledCloud& look, const EarlierLooks& kept, const
 }  // namespace
 
 CommandTraits KeepLook::traits() const {
-  CommandTraits traits{
-      .code = "keep_look", .reads = {part::cloud, part::earlier_looks}, .writes = {part::earlier_looks}};
-  if (path)
+  CommandTraits traits{.code = "keep_look", .reads = {part::earlier_looks}, .writes = {part::earlier_looks}};
+  if (path) {
     traits.notice = Notice::files;
-  else
-    traits.needs = {part::cloud};
+    return traits;
+  }
+  traits.lane = Lane::edits;  // at once, beside a reconstruction
+  if (seen) return traits;
+  traits.reads.add(part::cloud);
+  traits.needs = {part::cloud};
   return traits;
 }
 
 Cancellable<Applied> KeepLook::apply(const CaseState& state, const RunContext&) const {
-  auto look = path ? look_in(*path, unit) : state[part::cloud];
+  auto look = path ? look_in(*path, unit) : seen ? seen : state[part::cloud];
   EarlierLooks kept;
   if (state[part::earlier_looks]) kept = *state[part::earlier_looks];
   require_room_for(*look, kept, path ? path->string() : "cloud");
