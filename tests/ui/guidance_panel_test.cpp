@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guidance panel shows and says is of the case that is open, and of now. What it tells while the
 // organ is followed is in guidance_live_test.cpp.
+#include <vtkActorCollection.h>
+#include <vtkRenderer.h>
+
 #include <QComboBox>
 #include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
 
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/open_case.h"
@@ -34,6 +38,7 @@ class GuidancePanelTest : public QObject, protected GuidanceWindow {
   void AHandPlacesTheOrganOverThePicture();
   void AHandLetsGoWithItsCase();
   void TheOrganIsShownInThreeDimensions();
+  void WhatIsOutOfDateOrRefusedShowsNoRegions();
   void ErrorGoesWithItsCause();
   void ObstaclesNameTheStepThatHelps();
 };
@@ -159,6 +164,46 @@ void GuidancePanelTest::TheOrganIsShownInThreeDimensions() {
   // Whoever places by hand needs the picture.
   panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"))->click();
   QTRY_VERIFY(!organ->isVisible() && live_view().isVisible());
+}
+
+void GuidancePanelTest::WhatIsOutOfDateOrRefusedShowsNoRegions() {
+  reach_registration(4);
+  auto* organ = panel().view()->findChild<ui::OrganView*>();
+  panel().view()->findChild<QPushButton*>(QStringLiteral("show_organ"))->click();
+  QTRY_VERIFY(organ->isVisible());
+  const auto* scale = organ->findChild<QWidget*>(QStringLiteral("error_scale"));
+  auto* view = organ->findChild<ui::RenderView*>();
+  const auto actors = [view] { return view->patient().renderer().GetActors()->GetNumberOfItems(); };
+  const auto tells_errors = [organ] {
+    const QString words = words_on(*organ);
+    return words.contains(QStringLiteral("7.0 mm")) || words.contains(QStringLiteral("95 of 100"));
+  };
+  const auto within = [this] {
+    return panel().findChild<QTreeWidget*>(QStringLiteral("lesion_table"))->topLevelItem(0)->text(3);
+  };
+  QVERIFY2(within().contains(QStringLiteral("mm")), qPrintable(within()));
+  const int with_region = actors();
+  QVERIFY(tells_errors() && scale->isVisible());
+
+  post(engine::SetSeeds{});  // out of date
+  QCOMPARE(actors(), with_region - 1);
+  QVERIFY2(!tells_errors() && !scale->isVisible(), qPrintable(words_on(*organ)));
+  QVERIFY(!words_on(panel()).contains(QStringLiteral("7.0 mm")));
+  QVERIFY2(!within().contains(QStringLiteral("mm")), qPrintable(within()));
+
+  operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
+  post(engine::Segment{});
+  post(engine::BuildModel{});
+  post(engine::SetLandmarks{operation_->model.landmarks});
+  post(engine::Register{});
+  QTRY_VERIFY_WITH_TIMEOUT(window_->drawables().drawable() != nullptr, 20000);
+  QTRY_COMPARE(actors(), with_region - 1);
+  QVERIFY2(!tells_errors() && !scale->isVisible(), qPrintable(words_on(*organ)));
+  QVERIFY(words_on(*organ).contains(QStringLiteral("Refused")));
+
+  post(engine::AcceptRegistration{});  // a person has looked at it
+  QTRY_COMPARE(actors(), with_region);
+  QVERIFY(tells_errors() && scale->isVisible());
 }
 
 void GuidancePanelTest::ErrorGoesWithItsCause() {

@@ -30,8 +30,8 @@ struct Stage {
   }
   int actor_count() const { return scene.renderer().GetActors()->GetNumberOfItems(); }
   /// Mean colour in the picture's middle: blue, green, red.
-  std::array<double, 3> middle(int look = -1) {
-    actors.show(*drawable, registration, {}, {-1, look});
+  std::array<double, 3> middle(int look = -1, bool holds = true) {
+    actors.show(*drawable, registration, {}, {-1, look, holds});
     scene.look_from(scene::ViewFrom::camera);
     scene::OffscreenRenderer offscreen(kWidth, kHeight);
     const Picture picture = offscreen.render(scene.renderer());
@@ -58,6 +58,7 @@ class RegistrationActorsTest : public QObject {
   void ALookIsShownInTheColoursOfWhatItLeaves();
   void WithoutAnErrorItIsGrey();
   void LesionsForcesAndTheOtherPlaceAppearAndGo();
+  void WhatDoesNotHoldIsAGreyShapeAlone();
   void NodesOfAnotherModelAreRefused();
 };
 
@@ -127,6 +128,23 @@ void RegistrationActorsTest::LesionsForcesAndTheOtherPlaceAppearAndGo() {
   QCOMPARE(stage.actor_count(), alone + 2);
   stage.actors.clear();
   QCOMPARE(stage.actor_count(), alone - 1);
+}
+
+void RegistrationActorsTest::WhatDoesNotHoldIsAGreyShapeAlone() {
+  Stage stage;
+  stage.expect(14e-3);
+  const Eigen::Index count = stage.registration.expected.size();
+  stage.registration.looks = {
+      {structure::kFirstLesion, 6e-3, Eigen::VectorXd::LinSpaced(count, 3e-3, 6e-3), 6e-3, 6e-3}};
+  LesionVerdict lesion;
+  lesion.lesion = structure::kFirstLesion;
+  lesion.covariance = 9e-6 * Eigen::Matrix3d::Identity();
+  stage.actors.show(*stage.drawable, stage.registration, {}, {});
+  const int alone = stage.actor_count();
+  stage.actors.show(*stage.drawable, stage.registration, {lesion}, {-1, 0, false});
+  QCOMPARE(stage.actor_count(), alone);
+  const auto [blue, green, red] = stage.middle(0, false);
+  QVERIFY(std::abs(blue - green) < 12.0 && std::abs(green - red) < 12.0);
 }
 
 void RegistrationActorsTest::NodesOfAnotherModelAreRefused() {

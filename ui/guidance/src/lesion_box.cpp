@@ -70,6 +70,7 @@ LesionBox::LesionBox(LiveViewModel& model, RegistrationModel& registration, QWid
   });
   couplings_.add(model.lesions, [this](const LesionRows&) { show_rows(); });
   couplings_.add(registration.spots, [this](const SpotRows&) { show_rows(); });
+  couplings_.add(registration.holds, [this](bool) { show_rows(); });
   couplings_.add(model.chosen, [this](Label lesion) { show_choice(lesion); });
   couplings_.add(model.numbers, [numbers](const FigureRows& rows) { numbers->set_rows(rows); });
 }
@@ -118,7 +119,7 @@ void LesionBox::show_row(QTreeWidgetItem* item, const LesionRow& row, const Spot
   item->setToolTip(name, row.name);  // some are longer than their column
   item->setText(state, row.state);
   item->setText(expected, spot.expected);
-  item->setText(within, row.within);
+  item->setText(within, registration_.holds ? row.within : QStringLiteral("–"));
   for (const Column column : {expected, within})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   const bool is_fork = row.lesion == 0;

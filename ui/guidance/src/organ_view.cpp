@@ -81,11 +81,16 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
   colours->setToolTip(
       tr("Expected error of each place; or of a lesion, once the surface around a place has been "
          "seen as well. The ball marks the best place."));
-  auto* legend = new QVBoxLayout;
-  legend->addWidget(colours);
-  auto* scale = new ErrorScale(scale_);
-  legend->addWidget(scale);
-  row->addLayout(legend);
+  auto* legend = new QWidget(scale_);
+  auto* column = new QVBoxLayout(legend);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(colours);
+  auto* scale = new ErrorScale(legend);
+  column->addWidget(scale);
+  QSizePolicy kept = legend->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);  // the organ keeps its place
+  legend->setSizePolicy(kept);
+  row->addWidget(legend);
   layout->addWidget(scale_);
   connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
   connect(&drawables_, &DrawableSource::changed, this, &OrganView::refresh);
@@ -103,6 +108,10 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
     const auto look = static_cast<std::size_t>(which);
     scale->set_range(which >= 0 && now && look < now->looks.size() ? scene::look_range(now->looks[look])
                                                                    : scene::ErrorRange());
+    refresh();
+  });
+  couplings_.add(model_.holds, [this, legend](bool holds) {
+    legend->setVisible(holds);  // nothing has these colours then
     refresh();
   });
   couplings_.add(model_.error_words, [words](const QString& text) { words->setText(text); });
@@ -142,7 +151,7 @@ void OrganView::refresh() {
   patient.set_cloud(now[part::cloud] ? *now[part::cloud] : LabelledCloud());
   const guidance::LesionJudge judge(*drawable->model, *registration);
   actors_->show(*drawable, *registration, judge.at_start(Validity::valid),
-                {model_.shown_rival, model_.shown_look});
+                {model_.shown_rival, model_.shown_look, model_.holds});
   if (looked_at_ != registration) patient.look_from(scene::ViewFrom::camera);
   looked_at_ = registration;
   view_->update();

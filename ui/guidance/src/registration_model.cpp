@@ -42,6 +42,7 @@ void RegistrationModel::read_case() {
   source_ = now[part::registration];
   if (is_new) shown_rival = -1;
   if (!now[part::registration]) {
+    holds = false;
     rivals = QStringList();
     rival_words = QStringList();
     spots = SpotRows();
@@ -56,6 +57,7 @@ void RegistrationModel::read_case() {
   }
   const Registration& r = *now[part::registration];
   is_refused = registration::is_refused(r);
+  holds = !is_refused && engine_.snapshot()->stage(part::registration) == engine::StageState::current;
   read_rivals(r);
   read_spots(r);
   if (is_new) {
@@ -65,7 +67,7 @@ void RegistrationModel::read_case() {
   read_error(r);
   FigureRows rows{{tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
                   {tr("Computation"), is_refused ? tr("refused") : termination_words(r)}};
-  if (r.expected.size() > 0)
+  if (holds && r.expected.size() > 0)
     rows.emplace_back(tr("Expected error, mean"), tr("%1 mm").arg(1e3 * r.expected.mean(), 0, 'f', 1));
   if (!r.forces.empty()) rows.emplace_back(tr("Places where forces act"), QString::number(r.forces.size()));
   figures = rows;
@@ -102,7 +104,7 @@ void RegistrationModel::read_rivals(const Registration& registration) {
 
 void RegistrationModel::read_spots(const Registration& registration) {
   SpotRows rows;
-  if (is_refused || engine_.snapshot()->stage(part::registration) != engine::StageState::current) {
+  if (!holds) {
     spots = rows;
     return;
   }
@@ -129,8 +131,7 @@ void RegistrationModel::read_error(const Registration& registration) {
     words << tr("Out of date: an earlier step has changed since the registration.");
   else if (is_refused)
     words << tr("Refused: what is known contradicts that the organ lies here.");
-  const bool holds = words.isEmpty();
-  if (registration.expected.size() == 0)
+  else if (registration.expected.size() == 0)
     words << tr("How far off the organ may be is not known: register again.");
   else
     words << tr("Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.")

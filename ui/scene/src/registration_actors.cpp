@@ -150,15 +150,18 @@ void RegistrationActors::show(const DrawableModel& model, const Registration& re
   const DrawableSurface* liver = liver_of(model);
   if (liver != nullptr && liver->binding.weights.rows() > 0) {
     const auto look = static_cast<std::size_t>(chosen.look), rival = static_cast<std::size_t>(chosen.rival);
-    const bool looks = chosen.look >= 0 && look < registration.looks.size();
+    const bool looks = chosen.holds && chosen.look >= 0 && look < registration.looks.size();
     impl_->add_liver(*liver, patient, registration.nodes_in_camera,
-                     looks ? registration.looks[look].seen : registration.expected,
+                     !chosen.holds ? Eigen::VectorXd()
+                     : looks       ? registration.looks[look].seen
+                                   : registration.expected,
                      looks ? look_range(registration.looks[look]) : ErrorRange());
     if (looks) impl_->add_best_place(registration.looks[look].seen, registration.nodes_in_camera);
     if (chosen.rival >= 0 && rival < registration.rivals.size())
       impl_->add_rival(*liver, patient, registration.rivals[rival].nodes_in_camera);
   }
-  for (const LesionVerdict& lesion : lesions) impl_->add_region(lesion);
+  if (chosen.holds)
+    for (const LesionVerdict& lesion : lesions) impl_->add_region(lesion);
   double strongest = 0.0;
   for (const FoundForce& force : registration.forces) strongest = std::max(strongest, force.force.norm());
   for (const FoundForce& force : registration.forces)

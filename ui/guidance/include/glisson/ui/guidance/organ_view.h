@@ -14,7 +14,8 @@ namespace glisson::ui {
 
 /// The registered organ in three dimensions, as the laparoscope sees it and from all sides: the error that is
 /// expected at each place, each lesion with the region that holds it in 95 of 100 cases, where forces act,
-/// the points, and the place that is compared with it. Drawn when it is looked at.
+/// the points, and the place that is compared with it. Of one that is out of date or refused the shape alone,
+/// grey. Drawn when it is looked at.
 class OrganView : public QWidget {
   Q_OBJECT
  public:

@@ -30,10 +30,11 @@ class RegistrationModel : public QObject {
  public:
   explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  QProperty<bool> is_unchecked;          ///< nobody has said that the model is right
-  QProperty<FigureRows> figures;         ///< of the registration; none: there is no registration
-  QProperty<QString> doubts;             ///< a line each
-  QProperty<bool> is_refused;            ///< and nobody has accepted it
+  QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
+  QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
+  QProperty<QString> doubts;      ///< a line each
+  QProperty<bool> is_refused;     ///< and nobody has accepted it
+  QProperty<bool> holds{false};   ///< it is there, up to date and not refused: so is what it says of errors
   QProperty<bool> is_being_made{false};  ///< another one: what is decided now would be decided about that
   QProperty<QString>
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none

@@ -42,6 +42,9 @@ class RegistrationActors {
   struct Chosen {
     int rival = -1;
     int look = -1;  ///< colours (look_range) tell what it would leave, a ball marks the best place
+    /// False: it is out of date or refused, so that nothing it says of errors holds. The liver is grey, and
+    /// neither regions nor looks are shown.
+    bool holds = true;
   };
   /// Replaces what is shown. @param lesions centres and covariances in the camera's frame.
   /// Where no error is known the liver is grey. @pre the nodes are those of the model.
