@@ -55,7 +55,8 @@ void AgainModel::start_or_cancel() {
 }
 
 void AgainModel::exchange() {
-  if (can_exchange) exchanging_ = engine_.post(engine::TakeRegistration{});
+  if (can_exchange)
+    exchanging_ = engine_.post(engine::TakeRegistration{engine_.state()[part::other_registration]});
   read_other();
 }
 
@@ -79,7 +80,7 @@ void AgainModel::end_registering(const engine::Outcome& outcome) {
     return say(error_text(outcome.error), QStringLiteral("error"));
   if (other() == nullptr) return;
   if (other()->is_better && is_offered) {
-    exchanging_ = engine_.post(engine::TakeRegistration{});
+    exchanging_ = engine_.post(engine::TakeRegistration{engine_.state()[part::other_registration]});
     return;
   }
   if (other()->is_better) return say(tr("Better, but the organ is not followed just now: take it then."));

@@ -12,6 +12,7 @@
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/rival_pictures.h"
@@ -46,7 +47,9 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   box->addWidget(doubts);
 
   auto* accept = new TaskButton(
-      engine, tr("Use it nevertheless"), [] { return engine::Command(engine::AcceptRegistration{}); }, this);
+      engine, tr("Use it nevertheless"),
+      [&engine] { return engine::Command(engine::AcceptRegistration{engine.state()[part::registration]}); },
+      this);
   accept->setObjectName(QStringLiteral("accept_registration"));
   accept->watch(engine::AcceptRegistration{});
   accept->button()->setProperty("role", QVariant());  // not the step that one takes in passing
@@ -126,9 +129,10 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
   layout->addWidget(choice);
   auto* use = new TaskButton(
       engine, tr("Use this place"),
-      [&model]() -> std::optional<engine::Command> {
+      [&engine, &model]() -> std::optional<engine::Command> {
         if (model.shown_rival < 0) return {};
-        return engine::Command(engine::ChooseRival{static_cast<std::size_t>(model.shown_rival.value())});
+        return engine::Command(engine::ChooseRival{static_cast<std::size_t>(model.shown_rival.value()),
+                                                   engine.state()[part::registration]});
       },
       rows);
   use->setObjectName(QStringLiteral("choose_rival"));

@@ -126,8 +126,8 @@ RivalPictures::RivalPictures(EngineBridge& engine, RegistrationModel& model, QWi
 }
 
 void RivalPictures::take(std::size_t rival) {
-  if (taking_ || engine_.state()[part::registration] != shown_) return;
-  taking_ = engine_.post(engine::ChooseRival{rival});
+  if (taking_ || !shown_) return;
+  taking_ = engine_.post(engine::ChooseRival{rival, shown_});
   show_case();
 }
 

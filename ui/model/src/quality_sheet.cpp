@@ -90,7 +90,9 @@ QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* pa
   notes_ = make_explanation({}, this);
   layout->addWidget(notes_);
   connect(worst_, &QCheckBox::toggled, this, &QualitySheet::show_worst);
-  connect(checked_, &QCheckBox::toggled, this, [this](bool on) { engine_.post(engine::CheckModel{{on}}); });
+  connect(checked_, &QCheckBox::toggled, this, [this](bool on) {
+    engine_.post(engine::CheckModel{{on}, shown_});
+  });
   connect(&engine_, &EngineBridge::case_changed, this, &QualitySheet::show_case);
   connect(&engine_, &EngineBridge::tasks_changed, this, &QualitySheet::show_tasks);
   show_case();

@@ -108,7 +108,7 @@ QPushButton* OfferBox::add_choice(const QString& text, const char* name, Choice 
 void OfferBox::decide(Choice choice) {
   if (!shown_ || deciding_) return;
   setEnabled(false);  // a second click would decide about nothing
-  deciding_ = engine_.post(engine::DecideSegmentation{choice, shown_->keeps_labels});
+  deciding_ = engine_.post(engine::DecideSegmentation{choice, shown_->keeps_labels, shown_});
 }
 
 void OfferBox::set_active(bool on) {
