@@ -16,8 +16,10 @@
 #include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/load_stereo_pair.h"
 #include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/frame.h"
@@ -52,6 +54,8 @@ class StereoLabellingTest : public QObject {
   void ALookIsKeptOnceAndForgotten();
   void WheelEnlargesAboutThePointerAndClicksStayTrue();
   void KeyboardReachesEverythingByAName();
+  void ALookIsTheOneThatWasSeenWhileAnotherIsMade();
+  void PointsAreNotDrawnThroughAnotherCalibration();
   void RegionsOfAnotherFrameAreSaid();
   void AnotherCaseHasNothingToUndoOfThisOne();
   void cleanupTestCase() { window_.reset(); }
@@ -340,6 +344,53 @@ void StereoLabellingTest::KeyboardReachesEverythingByAName() {
   QVERIFY(!panel().stereo_view().drawing().can_redo() ||
           undone != panel().stereo_view().drawing().regions().size());
   QCOMPARE(state()[part::regions]->regions.size(), regions);
+}
+
+void StereoLabellingTest::ALookIsTheOneThatWasSeenWhileAnotherIsMade() {
+  const auto seen = state()[part::cloud];
+  QVERIFY(!state()[part::earlier_looks]);
+  engine::Reconstruct other;  // of other points than the panel's own
+  other.options.kind = stereo::Features::akaze;
+  window_->engine().post(other);
+  push("keep_look");
+  QVERIFY(settle());
+  QVERIFY(state()[part::cloud] != seen);
+  QVERIFY(state()[part::earlier_looks] && state()[part::earlier_looks]->clouds[0] == seen);
+  push("forget_looks");
+  engine::Reconstruct again;
+  window_->engine().post(again);
+  QVERIFY(settle());
+}
+
+void StereoLabellingTest::PointsAreNotDrawnThroughAnotherCalibration() {
+  QVERIFY(!editor(Side::left).dots().empty());
+  push("show_missing");
+  QVERIFY(editor(Side::left).has_veil());
+  StereoRig other = pair_.rig;
+  for (Camera* camera : {&other.left, &other.right}) camera->matrix.topLeftCorner<2, 2>() *= 1.2;
+  stereo::write_calibration(folder_.path() / "other.yaml", other);
+  window_->open(folder_.path() / "other.yaml");
+  QVERIFY(settle());
+  QVERIFY(editor(Side::left).dots().empty() && editor(Side::right).dots().empty());
+  QVERIFY(!editor(Side::left).has_veil());
+  QVERIFY(window_->findChild<QLabel*>(QStringLiteral("cloud_legend"))->text().contains("Out of date"));
+  QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("reconstruct"))->button(),
+                    Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(!editor(Side::left).dots().empty() && editor(Side::left).has_veil());
+  push("show_missing");
+  // An imported cloud was seen by the calibration that was there when it came.
+  write_cloud(folder_.path() / "cloud.ply", *state()[part::cloud]);
+  window_->engine().post(engine::ImportCloud{folder_.path() / "cloud.ply"});
+  QVERIFY(settle());
+  QVERIFY(!editor(Side::left).dots().empty());
+  window_->open(folder_.path() / "scope.yaml");
+  QVERIFY(settle());
+  QVERIFY(editor(Side::left).dots().empty() && editor(Side::right).dots().empty());
+  QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("reconstruct"))->button(),
+                    Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(!editor(Side::left).dots().empty());
 }
 
 void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {

@@ -38,7 +38,11 @@ LooksRow::LooksRow(EngineBridge& engine, QWidget* parent) : QWidget(parent), eng
   said_->setAlignment(Qt::AlignTop);
   said_->setMinimumHeight(2 * said_->fontMetrics().lineSpacing());  // what stands below keeps its place
   box->addWidget(said_);
-  connect(keep_, &QPushButton::clicked, this, [this] { engine_.post(engine::KeepLook{}); });
+  connect(keep_, &QPushButton::clicked, this, [this] {
+    engine::KeepLook keep;
+    keep.seen = engine_.state()[part::cloud];
+    engine_.post(keep);
+  });
   connect(forget_, &QPushButton::clicked, this, [this] { engine_.post(engine::ForgetLooks{}); });
   connect(&engine_, &EngineBridge::case_changed, this, &LooksRow::show_case);
   show_case();

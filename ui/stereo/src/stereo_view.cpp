@@ -213,8 +213,8 @@ void StereoView::set_pair(std::shared_ptr<const engine::StereoInput> frame,
   if (other_frame) {
     editor(Side::left).set_picture(frame_ ? frame_->frame.left : Picture());
     editor(Side::right).set_picture(frame_ ? frame_->frame.right : Picture());
-    show_veil();
   }
+  show_veil();
   epipolar_->setEnabled(frame_ && rig_);
   used_->setEnabled(frame_ != nullptr);
   show_guide();
@@ -226,6 +226,7 @@ void StereoView::set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stal
                            std::shared_ptr<const engine::PairPoints> points) {
   const bool first = !shown_ && cloud;
   const bool changed = shown_ != cloud || pair_points_ != points;
+  const bool other_age = stale_ != stale;
   shown_ = std::move(cloud);
   pair_points_ = std::move(points);
   stale_ = stale;
@@ -239,6 +240,8 @@ void StereoView::set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stal
         pair_points_ && pair_points_->density.columns > 0 ? picture_of(pair_points_->density) : QImage();
     lacking_->setEnabled(!missing_.isNull());
     show_veil();
+  } else if (other_age) {
+    show_points();
   }
   show_legend();
 }
@@ -262,7 +265,10 @@ void StereoView::show_guide() {
       .set_guide(stereo::epipolar_line(*rig_, place->side, place->pixel).pixels, std::nullopt);
 }
 
-bool StereoView::are_of_this_pair() const { return !pair_points_ || pair_points_->frame == frame_; }
+bool StereoView::are_of_this_pair() const {
+  // An imported cloud goes by the pictures and the calibration that were there when it came.
+  return pair_points_ ? pair_points_->frame == frame_ && pair_points_->rig == rig_ : !stale_;
+}
 
 void StereoView::show_points() {
   const bool shows = points_->isChecked() && shown_ && rig_ && are_of_this_pair();

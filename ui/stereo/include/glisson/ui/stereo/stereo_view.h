@@ -51,7 +51,8 @@ class StereoView : public QWidget {
                           bool on);
   void build_bar(QWidget* bar);
   void show_guide();
-  /// Points of a former pair lie elsewhere in these pictures, and are shown in three dimensions only.
+  /// Whether the points were made of these pictures by this calibration. Others lie elsewhere in them, and
+  /// are shown in three dimensions only.
   bool are_of_this_pair() const;
   void show_points();
   void show_veil();
