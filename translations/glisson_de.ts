@@ -6998,8 +6998,8 @@
         <translation>das Maskennetz hält das meiste des Organs für etwas anderes</translation>
     </message>
     <message>
-        <source>one of the two views shows nothing</source>
-        <translation>eine der beiden Ansichten zeigt nichts</translation>
+        <source>one of the two views shows nothing, or too little</source>
+        <translation>eine der beiden Ansichten zeigt nichts oder zu wenig</translation>
     </message>
     <message>
         <source>left and right view seem to be swapped</source>
@@ -7010,8 +7010,8 @@
         <translation>im Bild ist zu wenig zu erkennen</translation>
     </message>
     <message>
-        <source>Check the camera that shows nothing, and its cable.</source>
-        <translation>Prüfen Sie die Kamera, die nichts zeigt, und ihr Kabel.</translation>
+        <source>Wipe the lens of that view; check its camera and cable.</source>
+        <translation>Wischen Sie die Linse dieser Ansicht ab; prüfen Sie Kamera und Kabel.</translation>
     </message>
     <message>
         <source>Check that the two cameras, or their videos, are in the right order.</source>

@@ -6998,8 +6998,8 @@
         <translation>le réseau de masque prend la plus grande partie de l’organe pour autre chose</translation>
     </message>
     <message>
-        <source>one of the two views shows nothing</source>
-        <translation>l’une des deux vues ne montre rien</translation>
+        <source>one of the two views shows nothing, or too little</source>
+        <translation>l’une des deux vues ne montre rien, ou trop peu</translation>
     </message>
     <message>
         <source>left and right view seem to be swapped</source>
@@ -7010,8 +7010,8 @@
         <translation>on distingue trop peu de choses dans l’image</translation>
     </message>
     <message>
-        <source>Check the camera that shows nothing, and its cable.</source>
-        <translation>Vérifiez la caméra qui ne montre rien, et son câble.</translation>
+        <source>Wipe the lens of that view; check its camera and cable.</source>
+        <translation>Essuyez l’objectif de cette vue ; vérifiez sa caméra et son câble.</translation>
     </message>
     <message>
         <source>Check that the two cameras, or their videos, are in the right order.</source>

@@ -25,6 +25,7 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
   void NoiseIsNoMotionAndBreathIs_data();
   void NoiseIsNoMotionAndBreathIs();
   void OnlyAnOrderThatStereoTellsIsToldAsWrong();
+  void ALensThatWetsIsToldOfItsView();
   void StandingPictureIsWithdrawn();
   void AStillPictureIsToldFromACopy_data();
   void AStillPictureIsToldFromACopy();
@@ -257,6 +258,32 @@ void JudgePictureTest::OnlyAnOrderThatStereoTellsIsToldAsWrong() {
     const Validity told = few.reason(frame, later);
     QVERIFY2(told == (squint == 0.0 ? Validity::views_swapped : Validity::too_few_points),
              validity_code(told));
+  }
+}
+
+void JudgePictureTest::ALensThatWetsIsToldOfItsView() {
+  // Droplets spread a part of the light evenly; the sensor's noise stays.
+  const auto wet = [](const Picture& picture, double clear) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> noise(0.0, 1.5);
+    Picture changed = picture;
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+    for (auto& byte : *bytes)
+      byte = static_cast<std::uint8_t>(
+          std::clamp(clear * byte + (1.0 - clear) * 90.0 + noise(random), 0.0, 255.0));
+    changed.bytes = std::move(bytes);
+    return changed;
+  };
+  FewPoints few(rig_, first_, {});
+  for (const double clear : {0.4, 0.2, 0.1}) {
+    StereoFrame frame = first_;
+    frame.right = wet(first_.right, clear);
+    const Validity one = few.reason(frame, {});
+    QVERIFY2(one == Validity::view_lost, qPrintable(QString("%1: %2").arg(clear).arg(validity_code(one))));
+    frame.left = wet(first_.left, clear);
+    const Validity both = few.reason(frame, {});
+    QVERIFY2(both == Validity::picture_lost,
+             qPrintable(QString("%1: %2").arg(clear).arg(validity_code(both))));
   }
 }
 

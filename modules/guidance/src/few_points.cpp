@@ -10,8 +10,10 @@ namespace glisson::guidance {
 namespace {
 
 constexpr int kWidth = 320, kStep = 8;  ///< of the reduced pictures, and of the grid there
-constexpr double kGone = 0.1;           ///< of a view's detail: less is no picture
-constexpr double kLookEvery = 0.3;      ///< seconds between two looks at whether the views are swapped
+/// Of the better view's detail: with less, something is wrong with that view alone. Light and smoke, which
+/// both views share, take about the same of both.
+constexpr double kAlone = 0.5;
+constexpr double kLookEvery = 0.3;  ///< seconds between two looks at whether the views are swapped
 /// In the right order stereo sees more than the share kSeen of the places at the start, and more than kTimes
 /// as many as in the other order. There it matches repeating patterns by chance.
 constexpr double kSeen = 0.4, kTimes = 2.0;
@@ -47,8 +49,10 @@ Validity FewPoints::reason(const StereoFrame& frame, const FrameClock& clock) {
     return Validity::too_few_points;
   const double left = measure(left_view).signal() / left_, right = measure(right_view).signal() / right_;
   const double less = std::min(left, right), more = std::max(left, right);
-  if (less < kGone && more > options_.contrast) return Validity::view_lost;
-  if (less < options_.contrast) return Validity::picture_lost;
+  if (less < options_.contrast) {
+    const bool is_alone = more >= options_.contrast && less < kAlone * more;
+    return is_alone ? Validity::view_lost : Validity::picture_lost;
+  }
   try {
     if (are_swapped(frame, clock)) return Validity::views_swapped;
   } catch (const InputError&) {

@@ -48,7 +48,7 @@ class Overlay {
       case Validity::masked_out:
         return tr("the mask network leaves too little of the organ");
       case Validity::view_lost:
-        return tr("one of the two views shows nothing");
+        return tr("one of the two views shows nothing, or too little");
       case Validity::views_swapped:
         return tr("left and right view seem to be swapped");
       case Validity::picture_lost:
@@ -92,7 +92,7 @@ class Overlay {
       case Validity::proposed:
         return tr("Use this place, refine it, or put it back.");
       case Validity::view_lost:
-        return tr("Check the camera that shows nothing, and its cable.");
+        return tr("Wipe the lens of that view; check its camera and cable.");
       case Validity::views_swapped:
         return tr("Check that the two cameras, or their videos, are in the right order.");
       case Validity::picture_lost:
