@@ -171,7 +171,8 @@ inline LabelledCloud patch(const PatientModel& rest, const Points& nodes, const 
       feature = Feature::anterior_margin;
     if ((notch.rowwise() - p.transpose()).rowwise().norm().minCoeff() < 10e-3)
       feature = Feature::umbilical_notch;
-    p += options.noise * Eigen::Vector3d{normal(random), normal(random), normal(random)};
+    const double z = normal(random), y = normal(random), x = normal(random);
+    p += options.noise * Eigen::Vector3d(x, y, z);
     if (static_cast<int>(i) < options.outliers) p *= 1.0 + 0.2 * (uniform(random) - 0.5);
     cloud.points.row(row) = p.transpose();
     cloud.normals.row(row) = samples[i].n.transpose();
