@@ -8659,6 +8659,10 @@
     <message>
         <source>live: error over that of a model that stays, in the worst scenario</source>
         <translation>live: Fehler im Verhältnis zu einem Modell, das stehen bleibt, im schlechtesten Fall</translation>
+    <message>
+        <source>cancelled; %1 holds what was done before.</source>
+        <translation>abgebrochen; was vorher fertig war, liegt in %1.</translation>
+    </message>
     </message>
     <message>
         <source>live: single lesions over 10 mm off that are not drawn as such, share</source>

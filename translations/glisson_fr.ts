@@ -8659,6 +8659,10 @@
     <message>
         <source>live: error over that of a model that stays, in the worst scenario</source>
         <translation>live : erreur rapportée à celle d&apos;un modèle immobile, dans le pire cas</translation>
+    <message>
+        <source>cancelled; %1 holds what was done before.</source>
+        <translation>annulé ; %1 contient ce qui a été fait avant.</translation>
+    </message>
     </message>
     <message>
         <source>live: single lesions over 10 mm off that are not drawn as such, share</source>

@@ -141,11 +141,16 @@ int run_model(const QStringList& given) {
     session.figures.merge(experiments::surface_figures(
         model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   save_case(arguments, session);
-  if (arguments.has("operations")) {  // the model is safe by now, whatever comes of them
-    session.post(engine::SimulateOperations{});
-    save_case(arguments, session);
-  }
-  write_files(arguments, session, ending);
+  // The model is safe by now, whatever comes of the rest.
+  const bool whole = until_interrupted([&] {
+    if (arguments.has("operations")) {
+      session.post(engine::SimulateOperations{});
+      save_case(arguments, session);
+    }
+    write_files(arguments, session, ending);
+  });
+  if (!whole)
+    throw Interrupted(Cli::tr("cancelled; %1 holds what was done before.").arg(arguments.value("case")));
   session.finish();
   return 0;
 }

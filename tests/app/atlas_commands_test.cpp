@@ -75,18 +75,26 @@ class AtlasCommandsTest : public QObject, private test::Program {
     QVERIFY(judged.out.contains("synthetic_33"));
   }
 
-  /// A vein that enters behind is what holds the organ.
   void operationsComeWithTheModel() {
-    std::filesystem::create_directory(at("surfaces"));
-    write_triangle_mesh(at("surfaces/liver.ply"), test::sphere(0.08, 3), LengthUnit::millimetre);
-    TriangleMesh cava = test::sphere(0.02, 2);
-    cava.vertices.rowwise() += Eigen::RowVector3d(0.0, 0.085, 0.0);
-    write_triangle_mesh(at("surfaces/vena_cava.ply"), cava, LengthUnit::millimetre);
+    put_liver_with_cava();
     const Ran ran = run({"model", "--surfaces", "surfaces", "--vertices", "150", "--case", "c.glisson",
                          "--operations", "--json", "f.json"});
     QVERIFY2(ran.code == 0, qPrintable(ran.error));
     QVERIFY(figures("f.json")["operations_simulated"].toInt() >= 30);
     QVERIFY(std::filesystem::exists(at("c.glisson/operations.vtu")));
+  }
+
+  /// The model is safe before they are simulated, and who presses Ctrl-C then is told so.
+  void cancelledOperationsLeaveTheModel() {
+    put_liver_with_cava();
+    const Ran ran = interrupted_when(
+        {"model", "--surfaces", "surfaces", "--vertices", "150", "--case", "c.glisson", "--operations"},
+        [this] { return std::filesystem::exists(at("c.glisson/case.json")); });
+    QVERIFY2(ran.code == 130, qPrintable(QString::number(ran.code) + ran.error + ran.out));
+    QVERIFY2(!ran.error.contains("nothing was written") && ran.error.contains("c.glisson holds"),
+             qPrintable(ran.error));
+    QVERIFY(std::filesystem::exists(at("c.glisson/model/mesh.vtu")));
+    QVERIFY(!std::filesystem::exists(at("c.glisson/operations.vtu")));
   }
 
   /// Without a vena cava they cannot be; the model that was built is kept, and the remedy named.
@@ -109,6 +117,16 @@ class AtlasCommandsTest : public QObject, private test::Program {
     refused({"atlas", "evaluate", "."}, "cases");
     refused({"atlas", "transfer", "--case", "a.glisson", "--accept", "navel"}, "navel", 2);
     refused({"atlas", "transfer", "--case", "none.glisson"}, "none.glisson");
+  }
+
+ private:
+  /// A vein that enters behind is what holds the organ.
+  void put_liver_with_cava() const {
+    std::filesystem::create_directory(at("surfaces"));
+    write_triangle_mesh(at("surfaces/liver.ply"), test::sphere(0.08, 3), LengthUnit::millimetre);
+    TriangleMesh cava = test::sphere(0.02, 2);
+    cava.vertices.rowwise() += Eigen::RowVector3d(0.0, 0.085, 0.0);
+    write_triangle_mesh(at("surfaces/vena_cava.ply"), cava, LengthUnit::millimetre);
   }
 };
 
