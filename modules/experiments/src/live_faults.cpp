@@ -64,6 +64,19 @@ class Curtain {
   cv::Mat cloth_;
 };
 
+/// A lens wets, `share` of the way: droplets spread its light, most of it over a good part of the picture.
+/// What the sensor adds stays.
+void fog(cv::Mat& picture, double share, std::uint64_t seed) {
+  constexpr double kMostSpread = 0.95, kCoarse = 1.0 / 16.0;
+  cv::Mat veil;
+  cv::resize(picture, veil, cv::Size(), kCoarse, kCoarse, cv::INTER_AREA);
+  cv::GaussianBlur(veil, veil, cv::Size(), 0.08 * veil.cols);
+  cv::resize(veil, veil, picture.size(), 0.0, 0.0, cv::INTER_LINEAR);
+  cv::GaussianBlur(picture, picture, cv::Size(), 1e-3 + 0.004 * share * picture.cols);
+  picture = (1.0 - kMostSpread * share) * picture + kMostSpread * share * veil;
+  add_noise(picture, 2.0, seed);
+}
+
 Eigen::Matrix3d turned(double degrees, const Eigen::Vector3d& axis) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis).toRotationMatrix();
 }
@@ -186,6 +199,11 @@ void add_covers(std::vector<LiveFault>& faults, const StereoRig& rig, int onset,
         picture = (1.0 - 0.6 * share) * picture + 0.6 * share * cv::Scalar::all(200.0);
         add_noise(picture, 2.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
       }));
+  for (const bool of_right : {false, true})
+    add(of_right ? "fog_right_ramp" : "fog_left_ramp",
+        ramp(onset, last, [=](cv::Mat& picture, bool is_right, double share, int k) {
+          if (is_right == of_right) fog(picture, share, seed + static_cast<std::uint64_t>(2 * k));
+        }));
   add("fade_ramp", ramp(onset, last, [seed](cv::Mat& picture, bool is_right, double share, int k) {
         picture = (1.0 - 0.85 * share) * picture;
         add_noise(picture, 2.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
