@@ -105,7 +105,7 @@ enum class Validity {
   mostly_masked,  ///< most of the organ in sight is masked
   masked_out,     ///< so much that too few points are left
   // Why too few points are left, where the pictures tell:
-  view_lost,      ///< one of the two views shows nothing
+  view_lost,      ///< one of the two views shows nothing, or far less than the other
   views_swapped,  ///< the left view is the right camera's, and the other way round
   picture_lost    ///< too little can be made out: dark, in smoke, noise
 };
