@@ -7767,6 +7767,21 @@
     </message>
 </context>
 <context>
+    <name>UnitQuestion</name>
+    <message>
+        <source>Unit of length</source>
+        <translation>Längeneinheit</translation>
+    </message>
+    <message>
+        <source>In which unit are the lengths in %1?</source>
+        <translation>In welcher Einheit sind die Längen in %1?</translation>
+    </message>
+    <message>
+        <source>The file does not say. Glisson itself writes millimetres.</source>
+        <translation>Die Datei sagt es nicht. Glisson selbst schreibt Millimeter.</translation>
+    </message>
+</context>
+<context>
     <name>cli</name>
     <message>
         <source>Show this help.</source>
@@ -8637,6 +8652,10 @@
         <translation>abgebrochen; was fertig war (%2), liegt in %1, als unvollständig gekennzeichnet.</translation>
     </message>
     <message>
+        <source>cancelled; %1 holds what was done before.</source>
+        <translation>abgebrochen; was vorher fertig war, liegt in %1.</translation>
+    </message>
+    <message>
         <source>This was cut short: what is here is not all.</source>
         <translation>Dies wurde abgebrochen: Was hier liegt, ist nicht alles.</translation>
     </message>
@@ -8659,10 +8678,6 @@
     <message>
         <source>live: error over that of a model that stays, in the worst scenario</source>
         <translation>live: Fehler im Verhältnis zu einem Modell, das stehen bleibt, im schlechtesten Fall</translation>
-    <message>
-        <source>cancelled; %1 holds what was done before.</source>
-        <translation>abgebrochen; was vorher fertig war, liegt in %1.</translation>
-    </message>
     </message>
     <message>
         <source>live: single lesions over 10 mm off that are not drawn as such, share</source>

@@ -7767,6 +7767,21 @@
     </message>
 </context>
 <context>
+    <name>UnitQuestion</name>
+    <message>
+        <source>Unit of length</source>
+        <translation>Unité de longueur</translation>
+    </message>
+    <message>
+        <source>In which unit are the lengths in %1?</source>
+        <translation>Dans quelle unité sont les longueurs de %1 ?</translation>
+    </message>
+    <message>
+        <source>The file does not say. Glisson itself writes millimetres.</source>
+        <translation>Le fichier ne le dit pas. Glisson lui-même écrit en millimètres.</translation>
+    </message>
+</context>
+<context>
     <name>cli</name>
     <message>
         <source>Show this help.</source>
@@ -8637,6 +8652,10 @@
         <translation>annulé ; %1 contient ce qui était terminé (%2), marqué comme incomplet.</translation>
     </message>
     <message>
+        <source>cancelled; %1 holds what was done before.</source>
+        <translation>annulé ; %1 contient ce qui a été fait avant.</translation>
+    </message>
+    <message>
         <source>This was cut short: what is here is not all.</source>
         <translation>Ceci a été interrompu : ce qui se trouve ici n’est pas tout.</translation>
     </message>
@@ -8659,10 +8678,6 @@
     <message>
         <source>live: error over that of a model that stays, in the worst scenario</source>
         <translation>live : erreur rapportée à celle d&apos;un modèle immobile, dans le pire cas</translation>
-    <message>
-        <source>cancelled; %1 holds what was done before.</source>
-        <translation>annulé ; %1 contient ce qui a été fait avant.</translation>
-    </message>
     </message>
     <message>
         <source>live: single lesions over 10 mm off that are not drawn as such, share</source>

@@ -20,6 +20,7 @@
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/save_case.h"
@@ -54,6 +55,7 @@ class CaseKeepingTest : public QObject {
   void AnotherCtIsAskedWhoseItIs();
   void WhatCannotBeReadIsNobodys_data();
   void WhatCannotBeReadIsNobodys();
+  void WhatSaysNoUnitIsAskedForIt();
   void AVideoThatCannotBeOpenedLeavesTheFrame();
   void RegionsAreOfTheFrameThatWasDrawnOn();
 
@@ -88,6 +90,7 @@ class CaseKeepingTest : public QObject {
   std::unique_ptr<TemporaryFolder> folder_;
   std::unique_ptr<FakeOperation> operation_;
   std::atomic<bool> save_waits_{false};
+  std::optional<LengthUnit> cloud_unit_;  ///< of the last cloud that was imported
   std::unique_ptr<MainWindow> window_;
 };
 
@@ -96,6 +99,7 @@ void CaseKeepingTest::init() {
   operation_ = std::make_unique<FakeOperation>();
   make_box_operation(*operation_);
   save_waits_ = false;
+  cloud_unit_.reset();
   engine::Engine::Options options = operation_->options();
   options.apply = [this, fake = options.apply](
                       const engine::CaseState& state, const engine::Command& command,
@@ -106,6 +110,10 @@ void CaseKeepingTest::init() {
         if (context.cancelled()) return {};
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
+    if (const auto* cloud = command.as<engine::ImportCloud>()) {
+      cloud_unit_ = cloud->unit;
+      return engine::Applied{state};
+    }
     const auto* video = command.as<engine::SetVideo>();
     if (video && video->left.filename() == "broken.mkv")
       throw InputError(video->left.string(), "", "is no video", "Give another");
@@ -288,6 +296,29 @@ void CaseKeepingTest::WhatCannotBeReadIsNobodys() {
   QVERIFY2(problem != nullptr && problem->text().contains(name),
            problem == nullptr ? "nothing is told" : qPrintable(problem->text()));
   QVERIFY(engine().state()[part::image] == before);
+}
+
+void CaseKeepingTest::WhatSaysNoUnitIsAskedForIt() {
+  const auto dropped_and_told = [this](const char* answer) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/scope/cloud.ply"))});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &enter);  // without it no drop arrives
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &drop);
+    const QPointer<QMessageBox> question = window_->findChild<QMessageBox*>(QStringLiteral("unit_question"));
+    if (question.isNull() || !question->text().contains(QStringLiteral("cloud.ply"))) return false;
+    QTest::mouseClick(answer == nullptr ? question->button(QMessageBox::Cancel)
+                                        : question->findChild<QAbstractButton*>(QLatin1String(answer)),
+                      Qt::LeftButton);
+    return QTest::qWaitFor([&] { return question.isNull(); }) && settle();
+  };
+  QVERIFY(dropped_and_told(nullptr));
+  QVERIFY(!cloud_unit_);
+  QVERIFY(dropped_and_told("unit_cm"));
+  QVERIFY(cloud_unit_ == LengthUnit::centimetre);
+  QVERIFY(dropped_and_told("unit_mm"));
+  QVERIFY(cloud_unit_ == LengthUnit::millimetre);
 }
 
 void CaseKeepingTest::AVideoThatCannotBeOpenedLeavesTheFrame() {

@@ -2,6 +2,10 @@
 #include <QTest>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/commands/open_case.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/ui/shell/case_opening.h"
 
@@ -11,6 +15,7 @@ class CaseOpeningTest : public QObject {
   Q_OBJECT
  private slots:
   void PathsAreTakenForWhatTheyAre();
+  void WhatSaysNoUnitIsTakenInTheOneThatIsTold();
 };
 
 void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
@@ -51,6 +56,24 @@ void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
   QCOMPARE(code("scope.yaml"), std::string("set_calibration"));
   QCOMPARE(code("film.mkv"), std::string("set_video"));
   QCOMPARE(code("letter.pdf"), std::string());
+}
+
+void CaseOpeningTest::WhatSaysNoUnitIsTakenInTheOneThatIsTold() {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "surfaces");
+  write_file_atomically(folder.path() / "surfaces" / "liver.stl", std::string("x"));
+  const auto told = [](const std::filesystem::path& path) {
+    const auto opening = ui::opening_of(path);
+    return opening && opening->way == ui::Opening::Way::in_a_unit ? opening->in(LengthUnit::centimetre)
+                                                                  : engine::Command(engine::OpenCase{});
+  };
+  const engine::Command mesh = told("mesh.vtu"), surface = told("liver.stl"), cloud = told("cloud.ply"),
+                        several = told(folder.path() / "surfaces");
+  QCOMPARE(mesh.as<engine::ImportMesh>()->unit, LengthUnit::centimetre);
+  QCOMPARE(surface.as<engine::ImportSurfaces>()->unit, LengthUnit::centimetre);
+  QCOMPARE(several.as<engine::ImportSurfaces>()->unit, LengthUnit::centimetre);
+  QCOMPARE(cloud.as<engine::ImportCloud>()->unit, LengthUnit::centimetre);
+  QVERIFY(ui::opening_of("scope.yaml")->way == ui::Opening::Way::plain);  // says it
 }
 
 }  // namespace glisson

@@ -20,6 +20,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/common/unit_question.h"
 #include "glisson/ui/model/tissue_box.h"
 #include "glisson/ui/scene/model_surfaces.h"
 
@@ -125,15 +126,15 @@ void ModelPanel::build_options() {
   auto* import = new QPushButton(tr("From surfaces…"), this);
   auto* ways = new QMenu(import);
   ways->addAction(tr("A folder, files named by structure…"), this, [this] {
-    import_surfaces(QFileDialog::getExistingDirectory(this, tr("Folder of surfaces, named by structure")));
+    import_in_a_unit(QFileDialog::getExistingDirectory(this, tr("Folder of surfaces, named by structure")));
   });
   ways->addAction(tr("A list of files (JSON)…"), this, [this] {
     import_surfaces(
         QFileDialog::getOpenFileName(this, tr("List of surfaces"), {}, tr("List of surfaces (*.json)")));
   });
   ways->addAction(tr("One surface of the liver…"), this, [this] {
-    import_surfaces(QFileDialog::getOpenFileName(this, tr("Surface of the liver"), {},
-                                                 tr("Surfaces (*.stl *.obj *.ply *.vtk *.vtp)")));
+    import_in_a_unit(QFileDialog::getOpenFileName(this, tr("Surface of the liver"), {},
+                                                  tr("Surfaces (*.stl *.obj *.ply *.vtk *.vtp)")));
   });
   import->setMenu(ways);
   build->addWidget(import);
@@ -225,10 +226,16 @@ engine::BuildModel ModelPanel::command() const {
   return command;
 }
 
-void ModelPanel::import_surfaces(const QString& path) {
+void ModelPanel::import_in_a_unit(const QString& path) {
   if (path.isEmpty()) return;
+  ask_unit(this, path.toStdString(), [this, path](LengthUnit unit) { import_surfaces(path, unit); });
+}
+
+void ModelPanel::import_surfaces(const QString& path, LengthUnit unit) {
+  if (path.isEmpty()) return;  // a list says its units itself, else it is in millimetres
   engine::ImportSurfaces command;
   command.path = path.toStdString();
+  command.unit = unit;
   command.options = this->command().options;
   command.atlas = built_in_atlas_if_any();
   engine().post(command);

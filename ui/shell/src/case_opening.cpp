@@ -31,14 +31,18 @@ bool ends_with_any(const std::string& name, std::initializer_list<const char*> e
 bool is_surface(const std::string& name) { return ends_with_any(name, {".vtk", ".vtp", ".stl", ".obj"}); }
 
 /// A mesh by what is in it. One that cannot be read goes by its name: who opens it says what is wrong.
-engine::Command mesh_import(const fs::path& path) {
+engine::Command mesh_import(const fs::path& path, LengthUnit unit) {
   bool tetrahedra = ends_with_any(lower_name(path), {".vtu", ".msh"});
   try {
     tetrahedra = engine::model_source(path) == engine::ModelSource::tetrahedra;
   } catch (const Error&) {
   }
-  if (tetrahedra) return engine::ImportMesh{path, LengthUnit::millimetre};
-  return engine::ImportSurfaces{path, LengthUnit::millimetre, {}, built_in_atlas_if_any()};
+  if (tetrahedra) return engine::ImportMesh{path, unit};
+  return engine::ImportSurfaces{path, unit, {}, built_in_atlas_if_any()};
+}
+
+Opening in_a_unit(const fs::path& path, const std::function<engine::Command(LengthUnit)>& command) {
+  return {Opening::Way::in_a_unit, path, command(LengthUnit::millimetre), command};
 }
 
 bool holds_surfaces(const fs::path& folder) {
@@ -64,7 +68,9 @@ std::optional<Opening> opening_of(const fs::path& given) {
   if (engine::is_case(path)) return a_case(path);
   if (fs::is_directory(path, problem)) {
     if (holds_surfaces(path))
-      return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}, built_in_atlas_if_any()});
+      return in_a_unit(path, [path](LengthUnit unit) {
+        return engine::ImportSurfaces{path, unit, {}, built_in_atlas_if_any()};
+      });
     return image;
   }
   if (name == "case.json") return a_case(path.parent_path());
@@ -74,9 +80,11 @@ std::optional<Opening> opening_of(const fs::path& given) {
                            ".tar", ".zip"}) ||
       name == "dicomdir")
     return image;
-  if (is_surface(name) || ends_with_any(name, {".vtu", ".msh"})) return plain(mesh_import(path));
+  if (is_surface(name) || ends_with_any(name, {".vtu", ".msh"}))
+    return in_a_unit(path, [path](LengthUnit unit) { return mesh_import(path, unit); });
   if (ends_with_any(name, {".yml", ".yaml"})) return plain(engine::SetCalibration{path});
-  if (ends_with_any(name, {".ply"})) return plain(engine::ImportCloud{path, LengthUnit::millimetre});
+  if (ends_with_any(name, {".ply"}))
+    return in_a_unit(path, [path](LengthUnit unit) { return engine::ImportCloud{path, unit}; });
   if (ends_with_any(name, {".mkv", ".mp4", ".avi", ".mov"}))
     return Opening{Way::open_video, path, engine::SetVideo{path, {}}};
   return std::nullopt;

@@ -33,6 +33,7 @@
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/save_name.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/common/unit_question.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/model/model_panel.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
@@ -190,6 +191,9 @@ void MainWindow::open(const std::filesystem::path& path) {
         return ask_first(opening->command.traits(), losses, [this, path = opening->path] {
           qobject_cast<SegmentationPanel*>(panels_[segmentation])->import_labels(path);
         });
+      case Opening::Way::in_a_unit:
+        return ask_unit(this, opening->path,
+                        [this, losses, in = opening->in](LengthUnit unit) { post_asking(in(unit), losses); });
       case Opening::Way::plain:
         return post_asking(opening->command, losses);
     }

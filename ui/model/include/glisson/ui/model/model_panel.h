@@ -35,7 +35,9 @@ class ModelPanel : public Panel {
   void build_look();
   void show_case();
   void show_structures();
-  void import_surfaces(const QString& path);
+  void import_surfaces(const QString& path, LengthUnit unit = LengthUnit::millimetre);
+  /// Asks first in which unit they are.
+  void import_in_a_unit(const QString& path);
   engine::BuildModel command() const;
 
   LinkedViews& views_;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
+#include "glisson/core/units.h"
 #include "glisson/engine/command.h"
 
 namespace glisson::ui {
@@ -16,11 +18,13 @@ struct Opening {
     replace_case,   ///< what is not saved would be lost
     import_image,   ///< which series, and whose it is
     import_labels,  ///< what they mean, where the file does not say
+    in_a_unit,      ///< of which length; no mesh and no cloud says it
     open_video      ///< its first frame follows
   };
   Way way = Way::plain;
   std::filesystem::path path;  ///< that the command is for: a case's folder, not its case.json
   engine::Command command;
+  std::function<engine::Command(LengthUnit)> in = {};  ///< the command, of Way::in_a_unit
 };
 
 /// A case, a folder of DICOM slices, a folder of surfaces, a volume, labels, a surface, a calibration, a
