@@ -52,6 +52,11 @@ class RandomEdits {
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
+  /// Drawn from the last coordinate to the first.
+  Eigen::Vector3d between3(double low, double high) {
+    const double z = between(low, high), y = between(low, high), x = between(low, high);
+    return {x, y, z};
+  }
   Label label() {
     static constexpr std::array<Label, 6> kLabels = {1, 2, 3, 4, 16, 17};
     return kLabels[static_cast<std::size_t>(below(6))];
@@ -74,7 +79,7 @@ class RandomEdits {
     Eigen::Vector3d at = place(5.0);
     const double slice = grid_.spacing_mm[t.normal_axis] * below(grid_.size[t.normal_axis]);
     for (Eigen::Index n = 0; n < t.path.rows(); ++n) {
-      at += Eigen::Vector3d{between(-6, 6), between(-6, 6), between(-6, 6)};
+      at += between3(-6, 6);
       if (t.brush == Paint::Brush::disc)
         at[t.normal_axis] = slice + between(-0.2, 0.2) * grid_.spacing_mm[t.normal_axis];
       t.path.row(n) = p_at(grid_, at).transpose();
@@ -87,10 +92,9 @@ class RandomEdits {
     t.operation = static_cast<Scissors::Operation>(below(3));
     const Eigen::Vector3d towards = p_at(grid_, place());
     if (below(2) == 0) {  // a slice, or a parallel view
-      t.view_from_ct << Eigen::Quaterniond{between(-1, 1), between(-1, 1), between(-1, 1), 0.5}
-                            .normalized()
-                            .toRotationMatrix()
-                            .topRows<2>(),
+      const Eigen::Vector3d q = between3(-1, 1);
+      t.view_from_ct
+          << Eigen::Quaterniond(q.x(), q.y(), q.z(), 0.5).normalized().toRotationMatrix().topRows<2>(),
           Eigen::Vector2d::Zero(), 0, 0, 0, 1;
     } else {
       t.view_from_ct = seen_from(towards - Eigen::Vector3d(0.0, 0.0, between(-0.01, 0.08)));
@@ -105,7 +109,7 @@ class RandomEdits {
         t.outline.row(n) = centre.transpose() + 0.3 * (t.outline.row(n) - centre.transpose());
     if (below(2) == 0) {
       t.slab = Scissors::Slab();
-      t.slab->normal = Eigen::Vector3d{between(-1, 1), between(-1, 1), between(-1, 1)}.normalized();
+      t.slab->normal = between3(-1, 1).normalized();
       t.slab->offset = t.slab->normal.dot(towards);
       t.slab->half_thickness = between(0.5e-3, 8e-3);
     }
