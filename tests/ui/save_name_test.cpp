@@ -24,7 +24,8 @@ class SaveNameTest : public QObject {
   /// Answers the question with this button as soon as it stands. @return what it says.
   static QString answer(const QString& path, const QString& button, bool* allowed) {
     QString said;
-    QTimer::singleShot(0, [&] {
+    const QObject here;  // where no question stands, the answer goes with it
+    QTimer::singleShot(0, &here, [&] {
       auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
       if (box == nullptr) return;
       said = box->text();
