@@ -4,8 +4,9 @@
 # glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [COMPUTES])
 #   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
 #   LONG begins it before the others, so that none runs on alone at the end. INSIDE names modules whose headers in src/
-#   it reads: what is tested of them is not public. COMPUTES optimises it, because it works on millions of voxels, pixels
-#   or points itself: of others half the compiler's time would go into code that runs once.
+#   it reads: what is tested of them is not public. COMPUTES, or GLISSON_TESTS_COMPUTE for a whole folder, optimises it,
+#   because it works on millions of voxels, pixels or points itself: of others half the compiler's time would go into
+#   code that runs once.
 
 # Every unit of a target reads what the owner of a precompiled header built.
 function(_glisson_reuse_pch target owner)
@@ -61,6 +62,9 @@ function(glisson_test)
   # Qt's own headers differ where its widgets are there: those of ui/ and app/ have a precompiled header of theirs, which
   # is not optimised.
   set(pch glisson_test_pch)
+  if(GLISSON_TESTS_COMPUTE)
+    set(ARG_COMPUTES TRUE)
+  endif()
   if(ARG_COMPUTES)
     set(pch glisson_computing_test_pch)
   else()

@@ -25,8 +25,7 @@ bool draws(const std::string& argument) {
   return std::regex_search(argument, kDraw);
 }
 
-/// Argument lists with two draws, each as it stands in the code. Those of ours have fewer than 600
-/// characters.
+/// Argument lists with two draws, each as it stands in the code.
 std::vector<std::string> lists_with_two_draws(const std::string& code) {
   std::vector<std::string> found;
   std::vector<Brackets> open;
@@ -38,7 +37,7 @@ std::vector<std::string> lists_with_two_draws(const std::string& code) {
     if (c != ')' && c != ']' && c != '}') continue;
     Brackets list = open.back();
     open.pop_back();
-    if (list.kind != '(' || i - list.begin > 600) continue;
+    if (list.kind != '(') continue;
     list.ends.push_back(i);
     std::size_t begin = list.begin + 1, drawing = 0;
     for (const std::size_t end : list.ends) {

@@ -4,13 +4,12 @@
 #include <Eigen/Core>
 
 #include "polar.h"
-
-#define GLISSON_INLINE inline __attribute__((always_inline))
+#include "unaligned_vector.h"
 
 namespace glisson::fem {
 namespace {
 
-typedef double V __attribute__((vector_size(64), may_alias));
+using V = Vector<64>::type;
 typedef long long Mask __attribute__((vector_size(64), may_alias));
 
 GLISSON_INLINE void root(V& v) {

@@ -75,6 +75,7 @@ class Puller {
   }
 
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+  /// In the order of standard_normal3().
   Eigen::Vector3d drawn(std::normal_distribution<double>& normal) {
     const double z = normal(random_), y = normal(random_), x = normal(random_);
     return {x, y, z};
