@@ -11,6 +11,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/guidance/lesion_judge.h"
+#include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {
 namespace {
@@ -110,8 +111,9 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
                                                                    : scene::ErrorRange());
     refresh();
   });
-  couplings_.add(model_.holds, [this, legend](bool holds) {
+  couplings_.add(model_.holds, [this, legend, words](bool holds) {
     legend->setVisible(holds);  // nothing has these colours then
+    set_style_property(words, "role", holds ? QVariant() : QVariant(QStringLiteral("warning")));
     refresh();
   });
   couplings_.add(model_.error_words, [words](const QString& text) { words->setText(text); });
