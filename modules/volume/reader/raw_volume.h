@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -10,6 +11,9 @@
 #include "glisson/volume/dicom_source.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/series.h"
+
+static_assert(EIGEN_VERSION_AT_LEAST(3, 4, 0),
+              "ITK's own, older Eigen came first; see this room's CMakeLists.txt");
 
 namespace glisson::reader {
 
