@@ -25,13 +25,14 @@ if(GLISSON_PCH)
   endif()
 endif()
 
-# Counts are written when a process ends, and added to by the next: a confined reader could not.
-if(GLISSON_COVERAGE)
-  add_compile_options(--coverage -fprofile-update=atomic)
-  add_compile_definitions(GLISSON_UNCONFINED)
-  add_link_options(--coverage)
+# Sanitizers need memory and counts need files that a confined reader has given up.
+if(GLISSON_COVERAGE OR GLISSON_SANITIZER)
+  add_compile_definitions(GLISSON_INSTRUMENTED)
 endif()
-
+if(GLISSON_COVERAGE)
+  add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
+endif()
 if(GLISSON_SANITIZER)
   add_compile_options(-fsanitize=${GLISSON_SANITIZER} -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${GLISSON_SANITIZER})
@@ -49,6 +50,6 @@ endif()
 # the time that the usual linker takes.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold GLISSON_HAS_GOLD)
-if(GLISSON_HAS_GOLD AND NOT GLISSON_SANITIZER)
+if(GLISSON_HAS_GOLD)
   add_link_options(-fuse-ld=gold)
 endif()

@@ -86,11 +86,15 @@ function(glisson_test)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
-  set(environment "GLISSON_SOURCE_DIR=${PROJECT_SOURCE_DIR}" "OPENBLAS_NUM_THREADS=1" "LC_ALL=C.UTF-8")
+  set(environment "GLISSON_SOURCE_DIR=${PROJECT_SOURCE_DIR}" "OPENBLAS_NUM_THREADS=1" "LC_ALL=C.UTF-8"
+    "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state")  # never the person's own
   if(GLISSON_SANITIZER OR GLISSON_COVERAGE)
     # Instrumented code is 3 to 30 times slower.
     math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
     list(APPEND environment "QTEST_FUNCTION_TIMEOUT=3000000")
+  endif()
+  if(GLISSON_COVERAGE)
+    list(APPEND environment "LLVM_PROFILE_FILE=${CMAKE_BINARY_DIR}/profiles/%4m.profraw")
   endif()
   if(GLISSON_SANITIZER)
     list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1"
@@ -109,8 +113,8 @@ function(glisson_test)
   endif()
 endfunction()
 
-# Of a test that computes nothing itself. Sanitizers and debuggers have their own.
-set(GLISSON_RUNS_ONCE "$<$<CONFIG:Release>:-O0>")
+# Of a test that computes nothing itself.
+set(GLISSON_RUNS_ONCE -O0)
 
 # What tests are compiled with. Qt6::Test would define the folder of each test, and no two could share a header.
 add_library(glisson_test_flags INTERFACE)

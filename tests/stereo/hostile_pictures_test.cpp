@@ -104,7 +104,7 @@ void HostilePicturesTest::TheReaderIsConfined() {
 
 void HostilePicturesTest::ScansWithoutEndAreEnded() {
 // Sanitizers leave the reader twenty times its processor time, and do not slow the decoder.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(GLISSON_INSTRUMENTED)
   constexpr int kMany = 1600000;
 #else
   constexpr int kMany = 400000;

@@ -44,7 +44,7 @@ using engine::Part;
 using engine::StageState;
 using ui::MainWindow;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(GLISSON_INSTRUMENTED)
 constexpr int kPatience = 900000;  // ms; instrumented code is ten times slower
 #else
 constexpr int kPatience = 120000;

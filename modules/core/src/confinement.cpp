@@ -210,27 +210,27 @@ void limit(int resource, double value) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(GLISSON_UNCONFINED)
-constexpr bool kSanitized =
-    true;  // shadow memory, the search for leaks and counts of lines need what is given up
+#if defined(GLISSON_INSTRUMENTED)
+// Shadow memory, the search for leaks and counts of lines need what is given up.
+constexpr bool kInstrumented = true;
 #else
-constexpr bool kSanitized = false;
+constexpr bool kInstrumented = false;
 #endif
 
 }  // namespace
 
 Confinement confine(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
   Confinement confinement;
-  if (kSanitized || ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement;
+  if (kInstrumented || ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement;
   confinement.files = confine_files(readable, writable);
   confinement.calls = confine_calls();
   return confinement;
 }
 
 void limit_memory(double bytes) {
-  if (!kSanitized) limit(RLIMIT_AS, bytes);
+  if (!kInstrumented) limit(RLIMIT_AS, bytes);
 }
-void limit_seconds(double seconds) { limit(RLIMIT_CPU, kSanitized ? 20.0 * seconds : seconds); }
+void limit_seconds(double seconds) { limit(RLIMIT_CPU, kInstrumented ? 20.0 * seconds : seconds); }
 void limit_written_file(double bytes) { limit(RLIMIT_FSIZE, bytes); }
 
 void die_with_parent() {
