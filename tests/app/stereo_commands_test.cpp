@@ -7,11 +7,11 @@
 
 #include <cmath>
 
-#include "../stereo/rendered_board.h"
-#include "../stereo/rendered_pair.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 #include "program.h"
+#include "rendered_board.h"
+#include "rendered_pair.h"
 
 using namespace glisson;
 using test::Ran;

@@ -4,7 +4,6 @@
 
 #include <fstream>
 
-#include "../stereo/rendered_pair.h"
 #include "complaint.h"
 #include "full_disk.h"
 #include "glisson/core/error.h"
@@ -28,6 +27,7 @@
 #include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/source.h"
+#include "rendered_pair.h"
 
 using namespace glisson;
 using namespace glisson::engine;

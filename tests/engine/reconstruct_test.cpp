@@ -2,7 +2,6 @@
 // Which points a stereo pair has, and when they change.
 #include <QTest>
 
-#include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/load_stereo_pair.h"
 #include "glisson/engine/commands/reconstruct.h"
@@ -14,6 +13,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
+#include "rendered_pair.h"
 
 using namespace glisson;
 using namespace glisson::engine;

@@ -3,7 +3,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -159,6 +162,29 @@ engine::Engine::Options FakeOperation::options() {
   return options;
 }
 
+namespace {
+
+/// What every frame of a size shows: tissue in the light of a lamp, blue, green, red.
+const std::vector<std::uint8_t>& still(int width, int height) {
+  static std::map<std::pair<int, int>, std::vector<std::uint8_t>> known;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  std::vector<std::uint8_t>& bytes = known[{width, height}];
+  if (!bytes.empty()) return bytes;
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
+      const double r =
+          std::hypot((u % (width / 2)) / (0.5 * width) - 0.5, static_cast<double>(v) / height - 0.5);
+      const double tissue = 15.0 * std::sin(0.13 * u + 0.3 * std::sin(0.05 * v)) * std::sin(0.11 * v);
+      const double light = std::max(0.1, 1.0 - 1.4 * r * r);
+      for (const double grey : {55 + 0.5 * tissue, 60 + 0.6 * tissue, 150 + 2.0 * tissue})
+        bytes.push_back(static_cast<std::uint8_t>(light * grey));
+    }
+  return bytes;
+}
+
+}  // namespace
+
 void FakeOperation::film(const std::filesystem::path& path, int frames) {
   video = path;
   stereo::VideoWriter writer(path, 2 * rig.left.width, rig.left.height, 30.0);
@@ -167,18 +193,13 @@ void FakeOperation::film(const std::filesystem::path& path, int frames) {
 }
 
 Picture FakeOperation::picture(int width, int height, int index) {
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(3 * width * height));
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(still(width, height));
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u) {
+      if ((u + 3 * index) % 200 >= 2) continue;
       const auto i = static_cast<std::size_t>(3 * (v * width + u));
-      const double r =
-          std::hypot((u % (width / 2)) / (0.5 * width) - 0.5, static_cast<double>(v) / height - 0.5);
-      const double tissue = 15.0 * std::sin(0.13 * u + 0.3 * std::sin(0.05 * v)) * std::sin(0.11 * v);
-      const double light = std::max(0.1, 1.0 - 1.4 * r * r);
-      const bool bar = (u + 3 * index) % 200 < 2;
-      (*bytes)[i] = static_cast<std::uint8_t>(light * (55 + 0.5 * tissue) + (bar ? 20 : 0));
-      (*bytes)[i + 1] = static_cast<std::uint8_t>(light * (60 + 0.6 * tissue) + (bar ? 20 : 0));
-      (*bytes)[i + 2] = static_cast<std::uint8_t>(light * (150 + 2.0 * tissue));
+      for (const std::size_t channel : {i, i + 1})
+        (*bytes)[channel] = static_cast<std::uint8_t>((*bytes)[channel] + 20);
     }
   return {width, height, 3, bytes};
 }

@@ -13,7 +13,6 @@
 #include <QWheelEvent>
 #include <map>
 
-#include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/import_cloud.h"
@@ -30,6 +29,7 @@
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
+#include "rendered_pair.h"
 #include "run_in_window.h"
 
 namespace glisson {

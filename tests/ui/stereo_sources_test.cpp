@@ -14,14 +14,14 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "../stereo/rendered_board.h"
-#include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/stereo/calibration_dialog.h"
 #include "glisson/ui/stereo/source_dialog.h"
+#include "rendered_board.h"
+#include "rendered_pair.h"
 
 namespace glisson {
 
@@ -63,6 +63,8 @@ class StereoSourcesTest : public QObject {
   const stereo::Board board_{9, 6, 6e-3, {}, 0.0};
 
  private slots:
+  void initTestCase() { write_boards(folder_.path() / "boards", -1); }
+
   void DescribedArrangementIsReadBackAsItWasSaid() {
     ui::SourceDialog dialog;
     QSignalSpy described(&dialog, &ui::SourceDialog::described);
@@ -89,7 +91,6 @@ class StereoSourcesTest : public QObject {
 
   void BoardsInAFolderCalibrateTheRig() {
     const std::filesystem::path pictures = folder_.path() / "boards";
-    write_boards(pictures, -1);
     const StereoRig rig = rendered::rig();
     ui::EngineBridge engine;
     ui::CalibrationDialog dialog(engine);
