@@ -559,6 +559,10 @@
         <translation>endet zu früh: Die Schicht wurde abgeschnitten</translation>
     </message>
     <message>
+        <source>is followed by no element: bytes were put in among them</source>
+        <translation>wird von keinem Element gefolgt: Es wurden Bytes eingefügt</translation>
+    </message>
+    <message>
         <source>say fewer pixels than the slice holds</source>
         <translation>nennen weniger Bildpunkte, als die Schicht enthält</translation>
     </message>
@@ -1117,6 +1121,14 @@
     <message>
         <source>is an address of a kind that is not opened</source>
         <translation>ist eine Adresse von einer Art, die nicht geöffnet wird</translation>
+    </message>
+    <message>
+        <source>names a source outside this computer (%1)</source>
+        <translation>nennt eine Quelle außerhalb dieses Rechners (%1)</translation>
+    </message>
+    <message>
+        <source>Enter that source yourself where pictures are opened, if you trust it</source>
+        <translation>Diese Quelle selbst eingeben, wo Bilder geöffnet werden, wenn ihr zu trauen ist</translation>
     </message>
     <message>
         <source>is not a name for a recording</source>
@@ -3543,6 +3555,14 @@
         <translation>ist größer als 100 MB, mehr als jede Liste braucht</translation>
     </message>
     <message>
+        <source>is larger than 4 GB</source>
+        <translation>ist größer als 4 GB</translation>
+    </message>
+    <message>
+        <source>nests lists deeper than any that is read here</source>
+        <translation>schachtelt Listen tiefer als jede, die hier gelesen wird</translation>
+    </message>
+    <message>
         <source>has no voxel of %1 within 5 mm</source>
         <translation>hat im Umkreis von 5 mm kein Voxel von %1</translation>
     </message>
@@ -4891,6 +4911,14 @@
         <translation>Schreiben Sie [x, y, z]</translation>
     </message>
     <message>
+        <source>Give millimetres, at most 10000</source>
+        <translation>Millimeter angeben, höchstens 10000</translation>
+    </message>
+    <message>
+        <source>is larger than a load can be</source>
+        <translation>ist größer, als eine Last sein kann</translation>
+    </message>
+    <message>
         <source>Write [{...}, ...]</source>
         <translation>Schreiben Sie [{...}, ...]</translation>
     </message>
@@ -4923,6 +4951,18 @@
         <translation>Geben Sie höchstens 1e5 Pa an (12 mmHg sind 1600 Pa)</translation>
     </message>
     <message>
+        <source>Give at most 10000 N</source>
+        <translation>Höchstens 10000 N angeben</translation>
+    </message>
+    <message>
+        <source>Give at most 100 m/s2</source>
+        <translation>Höchstens 100 m/s2 angeben</translation>
+    </message>
+    <message>
+        <source>Give at most 1e9 N/m</source>
+        <translation>Höchstens 1e9 N/m angeben</translation>
+    </message>
+    <message>
         <source>Give centre_mm and radius_mm, or low_mm and high_mm</source>
         <translation>Geben Sie centre_mm und radius_mm an, oder low_mm und high_mm</translation>
     </message>
@@ -4953,6 +4993,10 @@
     <message>
         <source>Give seconds, 0 or more</source>
         <translation>Geben Sie Sekunden an, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>Give seconds, at most 3600</source>
+        <translation>Sekunden angeben, höchstens 3600</translation>
     </message>
     <message>
         <source>Leave it out to press everywhere</source>

@@ -559,6 +559,10 @@
         <translation>se termine trop tôt : la coupe a été tronquée</translation>
     </message>
     <message>
+        <source>is followed by no element: bytes were put in among them</source>
+        <translation>ne sont suivis d&apos;aucun élément : des octets y ont été insérés</translation>
+    </message>
+    <message>
         <source>say fewer pixels than the slice holds</source>
         <translation>annoncent moins de pixels que la coupe n&apos;en contient</translation>
     </message>
@@ -1117,6 +1121,14 @@
     <message>
         <source>is an address of a kind that is not opened</source>
         <translation>est une adresse d’un genre qui n’est pas ouvert</translation>
+    </message>
+    <message>
+        <source>names a source outside this computer (%1)</source>
+        <translation>désigne une source hors de cet ordinateur (%1)</translation>
+    </message>
+    <message>
+        <source>Enter that source yourself where pictures are opened, if you trust it</source>
+        <translation>Saisir soi-même cette source là où l&apos;on ouvre les images, si elle est de confiance</translation>
     </message>
     <message>
         <source>is not a name for a recording</source>
@@ -3543,6 +3555,14 @@
         <translation>dépasse 100 Mo, plus qu’il n’en faut à une liste</translation>
     </message>
     <message>
+        <source>is larger than 4 GB</source>
+        <translation>dépasse 4 Go</translation>
+    </message>
+    <message>
+        <source>nests lists deeper than any that is read here</source>
+        <translation>imbrique des listes plus profondément que toutes celles lues ici</translation>
+    </message>
+    <message>
         <source>has no voxel of %1 within 5 mm</source>
         <translation>n’a pas de voxel de %1 à moins de 5 mm</translation>
     </message>
@@ -4891,6 +4911,14 @@
         <translation>Écrivez [x, y, z]</translation>
     </message>
     <message>
+        <source>Give millimetres, at most 10000</source>
+        <translation>Donner des millimètres, 10000 au plus</translation>
+    </message>
+    <message>
+        <source>is larger than a load can be</source>
+        <translation>est plus grand qu&apos;une charge ne peut l&apos;être</translation>
+    </message>
+    <message>
         <source>Write [{...}, ...]</source>
         <translation>Écrivez [{...}, ...]</translation>
     </message>
@@ -4923,6 +4951,18 @@
         <translation>Donnez au plus 1e5 Pa (12 mmHg font 1600 Pa)</translation>
     </message>
     <message>
+        <source>Give at most 10000 N</source>
+        <translation>Donner au plus 10000 N</translation>
+    </message>
+    <message>
+        <source>Give at most 100 m/s2</source>
+        <translation>Donner au plus 100 m/s2</translation>
+    </message>
+    <message>
+        <source>Give at most 1e9 N/m</source>
+        <translation>Donner au plus 1e9 N/m</translation>
+    </message>
+    <message>
         <source>Give centre_mm and radius_mm, or low_mm and high_mm</source>
         <translation>Donnez centre_mm et radius_mm, ou low_mm et high_mm</translation>
     </message>
@@ -4953,6 +4993,10 @@
     <message>
         <source>Give seconds, 0 or more</source>
         <translation>Donnez des secondes, 0 ou plus</translation>
+    </message>
+    <message>
+        <source>Give seconds, at most 3600</source>
+        <translation>Donner des secondes, 3600 au plus</translation>
     </message>
     <message>
         <source>Leave it out to press everywhere</source>

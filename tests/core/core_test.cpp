@@ -57,6 +57,7 @@ class CoreTest : public QObject {
   void KilledWriterLeavesTheOldOrTheNew();
   void TemporaryFolderGoesAway();
   void JsonErrorNamesLineAndColumn();
+  void JsonThatNestsWithoutEndIsRefused();
   void JsonLargerThanAnyListIsRefused();
   void JsonLinesAreRefusedByTheirNumber();
   void NamesCompareWhateverTheirCase();
@@ -315,6 +316,26 @@ void CoreTest::JsonLinesAreRefusedByTheirNumber() {
     put(path, malformed);
     QVERIFY(told().find(": is malformed (") != std::string::npos);
     QVERIFY(told().ends_with("). Write it anew."));
+  }
+}
+
+void CoreTest::JsonThatNestsWithoutEndIsRefused() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "x.json";
+  const auto nested = [](std::size_t depth) {
+    return "{\"a \\\"[[[\": " + std::string(depth, '[') + "1" + std::string(depth, ']') + "}";
+  };
+  put(path, nested(60));
+  QVERIFY(read_json(path).is_object());
+  // Deep enough to end the program where a copy of the value is made.
+  for (const std::size_t depth : {64U, 200000U}) {
+    put(path, nested(depth));
+    const std::string whole = test::complaint<InputError>([&] { read_json(path); });
+    QVERIFY2(whole.find("nests lists deeper") != std::string::npos, whole.c_str());
+    const std::string line = test::complaint<InputError>([&] {
+      for_each_json_line(path, "Write it anew", [](const nlohmann::json& object) { (void)object.dump(); });
+    });
+    QVERIFY2(line.find("line 1: nests lists deeper") != std::string::npos, line.c_str());
   }
 }
 

@@ -87,6 +87,18 @@ class LoadsTest : public QObject {
                                << "gravity.change";
     QTest::newRow("text for pressure") << R"({"pressure": {"pascal": "high"}})"
                                        << "pressure.pascal";
+    QTest::newRow("absurd force") << R"({"forces": [{"node": 0, "newton": [0, 1e300, 0]}]})"
+                                  << "forces[0].newton";
+    QTest::newRow("absurd gravity") << R"({"gravity": {"change": [0, 1e20, 0]}})"
+                                    << "gravity.change";
+    QTest::newRow("absurd place") << R"({"forces": [{"point_mm": [0, 0, 1e300], "newton": [0, 1, 0]}]})"
+                                  << "forces[0].point_mm";
+    QTest::newRow("absurd move") << R"({"moved": [{"nodes": [0], "by_mm": [-1e9, 0, 0]}]})"
+                                 << "moved[0].by_mm";
+    QTest::newRow("absurd spring") << R"({"springs": [{"node": 0, "newton_per_metre": 1e300}]})"
+                                   << "springs[0].newton_per_metre";
+    QTest::newRow("a ramp without end") << R"({"gravity": {"to": "prone"}, "ramp_s": 1e300})"
+                                        << "ramp_s";
     QTest::newRow("absurd pressure") << R"({"pressure": {"pascal": 1e9}})"
                                      << "pressure.pascal";
     QTest::newRow("no place") << R"({"forces": [{"newton": [0, 0, 1]}]})"

@@ -40,6 +40,13 @@ void regions(std::string_view bytes);
 void source(std::string_view bytes);
 void calibration(std::string_view bytes);
 
+void load(std::string_view bytes);            ///< of a simulation
+void overlay_record(std::string_view bytes);  ///< frames.jsonl
+void corrections(std::string_view bytes);     ///< by hand, of a track
+void start(std::string_view bytes);           ///< a matrix in which a registration begins
+void surface_list(std::string_view bytes);
+void atlas_sheet(std::string_view bytes);
+
 void landmarks(std::string_view bytes);
 void vessels(std::string_view bytes);
 void case_json(std::string_view bytes);

@@ -7,6 +7,7 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/patient/correction.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/volume/io.h"
@@ -118,6 +119,25 @@ const std::string kCase =
     R"("max_dihedral_deg": 90, "volume_error": 0, "vertices_to_fine_mean_mm": 0, "mesh_to_fine_mean_mm": 0, )"
     R"("fine_to_mesh_mean_mm": 0, "fine_to_mesh_max_mm": 0}}, "video": {"revision": 1, "made_from": {}, )"
     R"("left": "../film.mkv", "right": ""}}})";
+const std::string kLoad =
+    R"({"gravity": {"from": "supine", "to": "left_flank"}, "pressure": {"pascal": 1600, "triangles": [0, 1]}, )"
+    R"("forces": [{"point_mm": [1, 2, 3], "newton": [0, 0, 0.5]}, {"region": {"centre_mm": [0, 0, 0], )"
+    R"("radius_mm": 20}, "newton": [0, 1, 0]}], "springs": [{"node": 3, "newton_per_metre": 50, )"
+    R"("target_mm": [1, 1, 1]}], "fixed": {"nodes": [0, 1, 2]}, "moved": [{"nodes": [4], "by_mm": [1, 0, 0]}], )"
+    R"("ramp_s": 0.5})";
+const std::string kFrames =
+    R"({"frame": 0, "seconds": 0.04, "doubtful": false, "level": "valid", "reason": "valid", "mesh": null, )"
+    R"("points": {"left": 90, "right": 80, "pairs": 70}, "follow_ms": 20, )"
+    R"("nodes": [[0, 0, 100], [10, 0, 100], [0, 10, 100], [0, 0, 110]], "unit": "mm", "residual_mm": 1, )"
+    R"("camera_from_model": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 100], [0, 0, 0, 1]], "lesions": []})"
+    "\n"
+    R"({"complete": true, "frames": 1})"
+    "\n";
+const std::string kAtlas =
+    R"({"format": "glisson-atlas", "version": 1, "name": "a", "usual": 1, "log_size": -2, )"
+    R"("log_size_deviation": 0.1, "members": [{"name": "m", "weight": 1, "size_mm": 150, "unusual": 1, )"
+    R"("mean_distance_mm": 3}], "structures": [], "variances_mm2": [4, 2], "total_variance_mm2": 7, )"
+    R"("vertices": 4, "triangles": 4})";
 const std::string kCloud =
     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty "
     "uchar "
@@ -192,6 +212,22 @@ const std::map<std::string, std::function<Files()>>& makers() {
              R"({"left": "scope.mkv", "layout": "top_bottom", "deinterlace": true, "crop": [0, 4, 0, 532]})"};
        }},
       {"calibration", [] { return Files{calibration_file()}; }},
+      {"load", [] { return Files{kLoad}; }},
+      {"overlay_record", [] { return Files{kFrames}; }},
+      {"corrections",
+       [] {
+         CorrectionMade made;
+         made.frame = 3;
+         made.seconds = 0.1;
+         return Files{correction_line(made) + "\n" + undone_line(7, 0.2) + "\n"};
+       }},
+      {"start", [] { return Files{"1 0 0 10\n0 1 0 -20\n0 0 1 120\n0 0 0 1\n"}; }},
+      {"surface_list",
+       [] {
+         return Files{
+             R"({"unit": "mm", "structures": {"liver": "liver.stl", "lesions": [{"file": "a.ply", "unit": "m"}]}})"};
+       }},
+      {"atlas_sheet", [] { return Files{kAtlas}; }},
       {"picture",
        [] {
          return Files{picture_file("a.png", 3), picture_file("a.jpg", 3), picture_file("a.bmp", 1)};

@@ -144,23 +144,25 @@ Tally run(const std::string& name, int count) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 2) {
-    std::fprintf(stderr, "fuzz_volumes COUNT\n");
+  if (count < 2) {
+    std::fprintf(stderr, "fuzz_volumes COUNT [FORMAT...]\n");
     return 2;
   }
+  std::vector<std::string> formats(words + 2, words + count);
+  if (formats.empty()) formats = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vti", "dicom"};
   std::printf(
       "| format | damaged | refused | of these, reader ended | same image | other voxels | of these, could "
       "be "
       "told | other place | longest |\n"
       "|---|---|---|---|---|---|---|---|---|\n");
   int untold = 0;
-  for (const char* name : {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vti", "dicom"}) {
+  for (const std::string& name : formats) {
     const Tally tally = run(name, std::atoi(words[1]));
     const auto of = [&tally](Outcome outcome) {
       return tally.count.contains(outcome) ? tally.count.at(outcome) : 0;
     };
     const int ended = of(Outcome::reader_ended);
-    std::printf("| %s | %s | %d | %d | %d | %d | %d | %d | %.1f s |\n", name, words[1],
+    std::printf("| %s | %s | %d | %d | %d | %d | %d | %d | %.1f s |\n", name.c_str(), words[1],
                 of(Outcome::refused) + ended, ended, of(Outcome::same), of(Outcome::other_voxels),
                 tally.untold, of(Outcome::other_place), tally.longest);
     std::fflush(stdout);

@@ -66,6 +66,9 @@ void CorrectionTest::BadLinesAreNamed_data() {
   QTest::newRow("a third eye") << R"({"frame": 1, "correct": {"view": "top", "from": [1, 2], "to": [3, 4]}})";
   QTest::newRow("no deviation")
       << R"({"frame": 1, "correct": {"from": [1, 2], "to": [3, 4], "sigma_px": 0}})";
+  QTest::newRow("outside any picture") << R"({"frame": 1, "correct": {"from": [1, 2], "to": [1e300, 4]}})";
+  QTest::newRow("outside the world")
+      << R"({"frame": 1, "correct": {"from": [1, 2], "to": [3, 4], "place_mm": [0, 1e300, 0]}})";
   QTest::newRow("words") << R"({"frame": 1, "correct": {"from": ["a", 2], "to": [3, 4]}})";
 }
 

@@ -39,6 +39,7 @@ void RegistrationFilesTest::WhatIsNoRigidMatrixIsRefused() {
   for (const char* text :
        {"1 0 0 0 1 0", "one", "2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1", "-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1",
         "0 1 0 0 -1 0 0 0 0 0 1 0 10 20 30 1",  // column by column
+        "1 0 0 0 0 1 0 1e300 0 0 1 0 0 0 0 1",  // outside the world
         "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 5"})
     QVERIFY_THROWS_EXCEPTION(InputError, read_start(written(text), LengthUnit::millimetre));
   QVERIFY_THROWS_EXCEPTION(FileError, read_start(folder_.path() / "none.txt", LengthUnit::millimetre));

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
+#include <vector>
 
 #include "glisson/core/error.h"
 #include "glisson/core/output_file.h"
@@ -32,7 +32,15 @@ std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw FileError(path.string() + ": cannot be opened (" + std::strerror(errno) + "). Check the path.");
-  std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  // A pipe or a device has no size and perhaps no end: counted while it is read.
+  constexpr std::size_t kMostBytes = 4'000'000'000;
+  std::string content;
+  std::vector<char> part(1 << 20);
+  while (stream.read(part.data(), static_cast<std::streamsize>(part.size())) || stream.gcount() > 0) {
+    content.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    if (content.size() > kMostBytes)
+      throw FileError(path.string() + ": is larger than 4 GB. Check that this is the right file.");
+  }
   if (stream.bad()) throw FileError(path.string() + ": could not be read to its end. Check the disk.");
   return content;
 }

@@ -10,8 +10,12 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/nesting.h"
 
 namespace glisson {
+namespace {
+constexpr const char* kTooDeep = "nests lists deeper than any that is read here";
+}  // namespace
 
 nlohmann::json read_json(const std::filesystem::path& path) {
   // Many times what any list needs. What is made of a file takes up to twenty times its size.
@@ -21,6 +25,7 @@ nlohmann::json read_json(const std::filesystem::path& path) {
     throw InputError(path.string(), "", "is larger than 100 MB, more than any list needs",
                      "Check that this is the right file");
   const std::string text = read_file(path);
+  if (nests_too_deep(text)) throw InputError(path.string(), "", kTooDeep, "Write the file anew");
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& failure) {
@@ -43,6 +48,7 @@ void for_each_json_line(const std::filesystem::path& path, const char* remedy,
   for (std::string text; std::getline(lines, text);) {
     const std::string line = "line " + std::to_string(++count);
     if (text.empty()) continue;
+    if (nests_too_deep(text)) throw InputError(path.string(), line, kTooDeep, remedy);
     try {
       take(nlohmann::json::parse(text));
     } catch (const InputError& error) {

@@ -9,6 +9,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/nesting.h"
 
 namespace glisson::fem {
 namespace {
@@ -16,6 +17,13 @@ namespace {
 using nlohmann::json;
 
 constexpr double kGravity = 9.81;
+// What no load of a patient's organ goes beyond: a larger number is a slip, and its result would be nonsense.
+constexpr double kMostForce = 1e4;      // N
+constexpr double kMostGravity = 100.0;  // m/s2
+constexpr double kMostPlace = 1e4;      // mm
+constexpr double kMostStiffness = 1e9;  // N/m
+constexpr double kMostSeconds = 3600.0;
+constexpr const char* kTooLarge = "is larger than a load can be";
 
 /// Reads one JSON object and says where it stands in the file when something is wrong.
 class Reader {
@@ -52,7 +60,8 @@ class Reader {
     if (!(value > 0.0)) fail(key, "is " + at(key).dump(), "Give a number above 0");
     return value;
   }
-  Eigen::Vector3d vector(const std::string& key) const {
+  /// @param most of each number's size; @param remedy for one beyond.
+  Eigen::Vector3d vector(const std::string& key, double most, const char* remedy) const {
     if (!has(key)) fail(key, "is missing", "Add it");
     const json& list = at(key);
     if (!list.is_array() || list.size() != 3) fail(key, "is not three numbers", "Write [x, y, z]");
@@ -62,9 +71,17 @@ class Reader {
         fail(key, "is not three finite numbers", "Write [x, y, z]");
       v[static_cast<Eigen::Index>(k)] = list[k].get<double>();
     }
+    if (v.cwiseAbs().maxCoeff() > most) fail(key, kTooLarge, remedy);
     return v;
   }
-  Eigen::Vector3d point(const std::string& key) const { return 1e-3 * vector(key); }
+  /// In metres.
+  Eigen::Vector3d point(const std::string& key) const {
+    return 1e-3 * vector(key, kMostPlace, "Give millimetres, at most 10000");
+  }
+  /// In m/s2.
+  Eigen::Vector3d acceleration(const std::string& key) const {
+    return vector(key, kMostGravity, "Give at most 100 m/s2");
+  }
   std::vector<int> indices(const std::string& key) const {
     if (!at(key).is_array()) fail(key, "is not a list", "Write [0, 1, ...]");
     std::vector<int> list;
@@ -98,7 +115,7 @@ LoadRegion read_region(const Reader& parent, bool with_normal) {
       r.fail("low_mm", "lies above high_mm", "Swap the coordinates");
   }
   if (r.has("normal") || r.has("angle_deg")) {
-    const Eigen::Vector3d normal = r.vector("normal");
+    const Eigen::Vector3d normal = r.vector("normal", 1e6, "Give a direction");
     if (normal.norm() < 1e-12) r.fail("normal", "is zero", "Give a direction");
     region.normal = normal.normalized();
     const double degrees = r.positive("angle_deg");
@@ -126,7 +143,7 @@ LoadPlace read_place(const Reader& r) {
 }
 
 Eigen::Vector3d read_posture(const Reader& r, const std::string& key) {
-  if (!r.at(key).is_string()) return r.vector(key);
+  if (!r.at(key).is_string()) return r.acceleration(key);
   try {
     return gravity_in_posture(r.at(key).get<std::string>());
   } catch (const InputError& error) {
@@ -138,7 +155,7 @@ void read_gravity(const Reader& root, LoadCase& load) {
   const Reader r(root.at("gravity"), root.file(), "gravity", {"change", "from", "to"});
   if (r.has("change")) {
     if (r.has("from") || r.has("to")) r.fail("change", "stands beside from or to", "Give one or the other");
-    load.gravity_change = r.vector("change");
+    load.gravity_change = r.acceleration("change");
     return;
   }
   if (!r.has("to")) r.fail("to", "is missing", "Give change, or to (and from)");
@@ -158,13 +175,21 @@ void read_pressure(const Reader& root, LoadCase& load) {
   if (r.has("region")) load.pressure_region = read_region(r, true);
 }
 
-double read_stiffness(const Reader& r) {
+/// N/m.
+double stated_stiffness(const Reader& r) {
   if (r.has("newton_per_metre") == r.has("structure"))
     r.fail("newton_per_metre", r.has("structure") ? "stands beside structure" : "is missing",
            "Give newton_per_metre or structure");
   if (r.has("newton_per_metre")) return r.positive("newton_per_metre");
   const Reader s(r.at("structure"), r.file(), r.field("structure"), {"pascal", "area_mm2", "length_mm"});
   return s.positive("pascal") * s.positive("area_mm2") * 1e-6 / (s.positive("length_mm") * 1e-3);
+}
+
+double read_stiffness(const Reader& r) {
+  const double stiffness = stated_stiffness(r);
+  if (stiffness > kMostStiffness)
+    r.fail(r.has("structure") ? "structure" : "newton_per_metre", kTooLarge, "Give at most 1e9 N/m");
+  return stiffness;
 }
 
 const json& list_of(const Reader& root, const std::string& key) {
@@ -182,7 +207,7 @@ LoadCase parse(const json& document, const std::string& name) {
     for (const json& item : list_of(root, "forces")) {
       const std::string path = "forces[" + std::to_string(load.forces.size()) + "]";
       const Reader r(item, name, path, {"node", "point_mm", "region", "newton"});
-      load.forces.push_back({read_place(r), r.vector("newton")});
+      load.forces.push_back({read_place(r), r.vector("newton", kMostForce, "Give at most 10000 N")});
     }
   if (root.has("springs"))
     for (const json& item : list_of(root, "springs")) {
@@ -216,6 +241,7 @@ LoadCase parse(const json& document, const std::string& name) {
   if (root.has("ramp_s")) {
     load.ramp = root.number("ramp_s");
     if (load.ramp < 0.0) root.fail("ramp_s", "is negative", "Give seconds, 0 or more");
+    if (load.ramp > kMostSeconds) root.fail("ramp_s", kTooLarge, "Give seconds, at most 3600");
   }
   if (!root.has("gravity") && !root.has("pressure") && load.forces.empty() && load.springs.empty() &&
       load.moved.empty())
@@ -241,8 +267,9 @@ Eigen::Vector3d gravity_in_posture(const std::string& posture) {
 LoadCase read_load_case(const std::filesystem::path& path) { return parse(read_json(path), path.string()); }
 
 LoadCase parse_load_case(const std::string& text, const std::string& name) {
-  const json document = json::parse(text, nullptr, false);
-  if (document.is_discarded()) throw InputError(name, "", "is not valid JSON", "Correct it");
+  json document;
+  if (nests_too_deep(text) || (document = json::parse(text, nullptr, false)).is_discarded())
+    throw InputError(name, "", "is not valid JSON", "Correct it");
   return parse(document, name);
 }
 

@@ -74,6 +74,11 @@ void Correction::validate() const {
   const OptionCheck demand("correction");
   if (!from.allFinite() || !to.allFinite() || !place_in_ct.allFinite())
     throw InputError("correction", "a coordinate", "is not a finite number", "Give pixels of the picture");
+  constexpr double kMostPixels = 1e5, kMostMetres = 10.0;
+  if (from.cwiseAbs().maxCoeff() > kMostPixels || to.cwiseAbs().maxCoeff() > kMostPixels)
+    throw InputError("correction", "a coordinate", "lies outside the image", "Give pixels of the picture");
+  if (place_in_ct.cwiseAbs().maxCoeff() > kMostMetres)
+    throw InputError("correction", "place_mm", "is nowhere near a patient", "Give points of the CT's frame");
   demand(sigma_px > 0.0, "sigma_px", sigma_px, "Give a positive number of pixels");
 }
 

@@ -71,6 +71,7 @@ const std::vector<const char*>& general_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is damaged"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is damaged or ends early"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "ends early: the slice was cut"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is followed by no element: bytes were put in among them"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "say fewer pixels than the slice holds"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "stands in some slices and is missing in others"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is another than in %1"),
