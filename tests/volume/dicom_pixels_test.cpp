@@ -18,6 +18,7 @@ class DicomPixelsTest : public QObject {
   Q_OBJECT
  private slots:
   void ACutSliceIsRefused();
+  void BytesPutInAmongThePixelsAreRefused();
   void ASliceOfAnotherKindIsRefused_data();
   void ASliceOfAnotherKindIsRefused();
   void InMrEachSliceMayHaveAScaleOfItsOwn();
@@ -59,6 +60,27 @@ void DicomPixelsTest::ACutSliceIsRefused() {
     const QString told = refusal_of(folder.path());
     QVERIFY2(told.contains("2, PixelData (7fe0|0010): ends early: the slice was cut"),
              qPrintable(QString::number(bytes) + ": " + told));
+  }
+}
+
+void DicomPixelsTest::BytesPutInAmongThePixelsAreRefused() {
+  const TemporaryFolder folder;
+  write_series(folder.path(), {});
+  const fs::path victim = folder.path() / "2";
+  const std::string whole = read_file(victim);
+  for (const std::size_t more : {2U, 4U, 8U, 100U}) {
+    std::string longer = whole;
+    longer.insert(longer.size() - 30, std::string(more, '\x55'));
+    write_file_atomically(victim, longer);
+    const QString told = refusal_of(folder.path());
+    QVERIFY2(told.contains("2, PixelData (7fe0|0010): is followed by no element"),
+             qPrintable(QString::number(more) + ": " + told));
+  }
+  // What may follow: the padding of a medium, and elements of a higher tag.
+  const std::string padding("\xFC\xFF\xFC\xFFOB\0\0\x04\0\0\0abcd", 16);
+  for (const std::string& more : {std::string(512, '\0'), padding}) {
+    write_file_atomically(victim, whole + more);
+    QCOMPARE(refusal_of(folder.path()), QString());
   }
 }
 

@@ -37,19 +37,41 @@ void append_rescaled(const std::vector<char>& bytes, const gdcm::Image& image, s
   }
 }
 
+/// Whether what follows the pixels can: nothing, the padding of a medium's sectors, or elements of a higher
+/// tag. Bytes that were put in among the pixels push the last ones out behind them.
+bool can_follow(const std::string& bytes, std::size_t at, bool big) {
+  constexpr std::size_t kElement = 8;  // the shortest: tag and length
+  if (at == bytes.size()) return true;
+  if (bytes.size() - at < kElement) return false;
+  if (bytes.find_first_not_of('\0', at) == std::string::npos) return true;
+  const auto half = [&](std::size_t first) {
+    const auto byte = [&](std::size_t n) {
+      return static_cast<unsigned>(static_cast<unsigned char>(bytes[n]));
+    };
+    return big ? byte(first) << 8U | byte(first + 1) : byte(first + 1) << 8U | byte(first);
+  };
+  const auto is_capital = [&](std::size_t n) { return bytes[n] >= 'A' && bytes[n] <= 'Z'; };
+  const bool has_type = is_capital(at + 4) && is_capital(at + 5);
+  const bool fits = (half(at + 6) << 16U | half(at + 4)) <= bytes.size() - at - kElement;  // without types
+  return (half(at) << 16U | half(at + 2)) > 0x7FE00010U && (has_type || fits);
+}
+
 }  // namespace
 
-bool value_is_there(const std::string& bytes, std::uint32_t length) {
+StoredValue value_in(const std::string& bytes, std::uint32_t length) {
   for (const bool big : {false, true}) {
     const std::string tag = big ? std::string("\x7F\xE0\x00\x10", 4) : std::string("\xE0\x7F\x10\x00", 4);
     for (const char* type : {"OW", "OB", ""}) {
       const std::string head =
           tag + (*type == '\0' ? "" : type + std::string(2, '\0')) + bytes_of(length, big);
-      const std::size_t at = bytes.find(head);
-      if (at != std::string::npos) return bytes.size() - at - head.size() >= length;
+      const std::size_t at = bytes.rfind(head);
+      if (at == std::string::npos) continue;
+      const std::size_t begin = at + head.size();
+      if (bytes.size() - begin < length) return StoredValue::cut;
+      return can_follow(bytes, begin + length, big) ? StoredValue::whole : StoredValue::shifted;
     }
   }
-  return true;
+  return StoredValue::whole;
 }
 
 void check_same_rule(const Request& request, const std::string& modality, const std::string& first_file,
@@ -84,12 +106,16 @@ void check_pixel_bytes(const Request& request, const fs::path& path, const gdcm:
     return;
   }
   const std::size_t announced = plain->GetLength();
-  if (announced < bytes || !value_is_there(content, static_cast<std::uint32_t>(announced)))
+  const StoredValue value = value_in(content, static_cast<std::uint32_t>(announced));
+  if (announced < bytes || value == StoredValue::cut)
     refuse(request, file + ", PixelData (7fe0|0010)", "ends early: the slice was cut",
            "Export the series again");
   if (announced > bytes + 1)  // lengths are even
     refuse(request, file + ", Rows, Columns (0028|0010, 0028|0011)", "say fewer pixels than the slice holds",
            "Export the series again");
+  if (value == StoredValue::shifted)
+    refuse(request, file + ", PixelData (7fe0|0010)",
+           "is followed by no element: bytes were put in among them", "Export the series again");
 }
 
 void append_slice(const Request& request, const fs::path& path, const Eigen::Vector2i& size,

@@ -34,10 +34,16 @@ void check_same_rule(const Request& request, const std::string& modality, const 
 void check_pixel_bytes(const Request& request, const std::filesystem::path& path, const gdcm::Image& image,
                        std::size_t bytes);
 
-/// Whether the file holds an element of pixels of that length, and as many bytes behind it. GDCM keeps the
-/// length that the element announces, whatever it has read. The length keeps the element apart from that of
-/// an icon, which has the same tag. True where none is found: the file is deflated.
-bool value_is_there(const std::string& bytes, std::uint32_t length);
+enum class StoredValue {
+  whole,
+  cut,      ///< fewer bytes than are announced
+  shifted,  ///< what follows the last byte is no element: bytes were put in before it
+};
+
+/// How the file holds its element of pixels of that length. GDCM keeps the length that the element announces,
+/// whatever it has read, and passes over what follows. The length keeps the element apart from that of an
+/// icon, which has the same tag and stands before it. Whole where none is found: the file is deflated.
+StoredValue value_in(const std::string& bytes, std::uint32_t length);
 
 /// Appends a slice's intensities, row by row. By GDCM and not by ITK, which turns the numbers of MONOCHROME1
 /// round: that says how to draw them only.

@@ -161,10 +161,12 @@ class Object {
     if (bits > 8.0 * kMostVolumeValues)
       refuse_field(field, "claims more pixels than a segmentation can mean");
     const double needed = std::ceil(bits / 8.0), there = pixels().GetLength();
-    const bool cut = !value_is_there(read_file(request_.path), static_cast<std::uint32_t>(there));
-    if (there < needed || there > needed + 1.0 || cut)
+    const StoredValue value = value_in(read_file(request_.path), static_cast<std::uint32_t>(there));
+    if (there < needed || there > needed + 1.0 || value != StoredValue::whole)
       refuse_field({{0x7fe0, 0x0010}, "PixelData"},
-                   cut ? std::string("ends early: the file was cut")
+                   value == StoredValue::cut ? std::string("ends early: the file was cut")
+                   : value == StoredValue::shifted
+                       ? std::string("is followed by no element: bytes were put in among them")
                        : "holds " + std::to_string(static_cast<long>(there)) + " bytes where " +
                              std::to_string(static_cast<long>(needed)) +
                              " are expected: the file is damaged");
