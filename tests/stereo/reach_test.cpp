@@ -24,6 +24,31 @@ class ReachTest : public QObject {
              "the stream itself asks");
   }
 
+  /// What a description names may have come from anywhere; what a person has entered once, has not.
+  void DescriptionsReachOutToWhatAPersonHasEnteredOnly() {
+    const TemporaryFolder folder;
+    const QByteArray before = qgetenv("XDG_STATE_HOME");
+    qputenv("XDG_STATE_HOME", QByteArray::fromStdString(folder.path().string()));
+    const auto told = [&folder](const std::string& left) {
+      write_file_atomically(folder.path() / "s.json", "{\"left\": \"" + left + "\"}");
+      return test::complaint<Error>([&] { StereoVideo video(folder.path() / "s.json"); });
+    };
+    const std::string refusal = "left: names a source outside this computer";
+    for (const char* source : {"device:http://127.0.0.1:1/x", "igtl:127.0.0.1:1/Left,Right",
+                               "device:fakesrc ! appsink", "device:/no/such/list.m3u8"}) {
+      QVERIFY2(told(source).find(refusal) != std::string::npos, source);
+      remember_source(source);
+      const std::string now = told(source);
+      QVERIFY2(!now.empty() && now.find(refusal) == std::string::npos, now.c_str());
+    }
+    // Entered by opening it, whether it answers or not.
+    QVERIFY(!test::complaint<Error>([] { StereoVideo video("device:http://127.0.0.1:2/x"); }).empty());
+    QVERIFY(told("device:http://127.0.0.1:2/x").find(refusal) == std::string::npos);
+    QVERIFY(told("device:http://127.0.0.1:3/x").find(refusal) != std::string::npos);
+    QVERIFY(told("device:98").find(refusal) == std::string::npos);  // a camera of this computer
+    before.isNull() ? qunsetenv("XDG_STATE_HOME") : qputenv("XDG_STATE_HOME", before);
+  }
+
   void PicturesAreAskedForTheirSizeFirst_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QString>("word");

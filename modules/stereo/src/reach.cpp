@@ -2,17 +2,42 @@
 #include "glisson/stereo/reach.h"
 
 #include <algorithm>
-#include <string>
+#include <set>
+#include <sstream>
+#include <system_error>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/log_file.h"
 #include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
 namespace {
 
+namespace fs = std::filesystem;
+
 bool is_number(std::string_view text) {
   return !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Empty: there is no place for it.
+fs::path list_of_sources() {
+  const fs::path folder = state_folder();
+  return folder.empty() ? fs::path() : folder / "known_sources";
+}
+
+std::set<std::string> entered_sources() {
+  std::set<std::string> sources;
+  std::error_code ignored;
+  if (!fs::is_regular_file(list_of_sources(), ignored)) return sources;
+  try {
+    std::istringstream lines(read_file(list_of_sources()));
+    for (std::string line; std::getline(lines, line);) sources.insert(line);
+  } catch (const FileError&) {
+    sources.clear();  // not readable: nobody has entered anything
+  }
+  return sources;
 }
 
 }  // namespace
@@ -24,6 +49,30 @@ bool stays_here(std::string_view source) {
   const std::string device = device_of(source);
   constexpr std::string_view kNode = "/dev/video";
   return is_number(device) || (device.starts_with(kNode) && is_number(device.substr(kNode.size())));
+}
+
+void remember_source(const std::string& source) {
+  if (stays_here(source) || list_of_sources().empty() || source.find('\n') != std::string::npos) return;
+  std::set<std::string> sources = entered_sources();
+  if (!sources.insert(source).second) return;
+  std::string lines;
+  for (const std::string& one : sources) lines += one + '\n';
+  try {
+    fs::create_directories(list_of_sources().parent_path());
+    write_file_atomically(list_of_sources(), lines);
+  } catch (const std::exception&) {
+    return;  // it is asked for again
+  }
+}
+
+SourceOptions read_entered_source(const fs::path& path) {
+  SourceOptions options = read_source(path);
+  for (const auto& [field, source] : {std::pair("left", options.left), std::pair("right", options.right)})
+    if (!stays_here(source) && !entered_sources().contains(source))
+      throw InputError(path.string(), field,
+                       "names a source outside this computer (" + source.substr(0, 200) + ")",
+                       "Enter that source yourself where pictures are opened, if you trust it");
+  return options;
 }
 
 void require_known_scheme(std::string_view source) {

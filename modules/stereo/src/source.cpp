@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/reach.h"
 #include "picture_cv.h"
 #include "rig_check.h"
 
@@ -154,11 +155,12 @@ void write_source(const fs::path& path, const SourceOptions& options) {
   for (const auto& [name, layout] : kLayouts)
     if (layout == options.layout) document["layout"] = name;
   write_json(path, document);
+  for (const std::string& source : {options.left, options.right}) remember_source(source);
 }
 
 std::optional<Cut> cut_of(const fs::path& video, int width, int height) {
   if (video.extension() != ".json") return {};
-  const SourceOptions source = read_source(video);
+  const SourceOptions source = read_entered_source(video);
   if (!source.crop.any()) return {};
   const StereoVideo views(source);
   const bool known = width > 0 && height > 0;

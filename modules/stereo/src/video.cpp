@@ -8,6 +8,7 @@
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/picture_reader.h"
+#include "glisson/stereo/reach.h"
 #include "glisson/stereo/source.h"
 #include "igtl_views.h"
 #include "picture_cv.h"
@@ -82,10 +83,11 @@ std::unique_ptr<Views> open_views(const SourceOptions& options, const RunContext
 }
 
 SourceOptions options_of(const fs::path& left, const fs::path& right) {
-  if (right.empty() && left.extension() == ".json") return read_source(left);
+  if (right.empty() && left.extension() == ".json") return read_entered_source(left);
   SourceOptions options;
   options.left = left.string();
   options.right = right.string();
+  for (const std::string& named : {options.left, options.right}) remember_source(named);
   if (!right.empty()) options.layout = Layout::separate;
   return options;
 }
