@@ -173,6 +173,7 @@ void KeepingCommandsTest::EachFrameOfATrackIsMarked() {
     }
   }
   QCOMPARE(figures("t.json")["frames_withdrawn"].toInt(), withdrawn);
+  QVERIFY(withdrawn > 0 && !frames[2]["mesh"].isNull());  // the last one is, and its mesh says so
   QVERIFY(figures("t.json")["complete"].toInt() == 1);
 }
 
@@ -197,7 +198,14 @@ void KeepingCommandsTest::ATrackThatIsCutShortKeepsWhatWasDone() {
   for (int frame = 2; frame < 200; ++frame)
     fs::remove(at(qPrintable(QString("cloud_%1.ply").arg(frame, 3, 10, QChar('0')))));
   write_text(at("tracked/registered_900.vtu"), "another's");
+  // Nor does a list that somebody has written remove what is no mesh of a frame.
+  write_text(at("tracked/thesis.odt"), "another's");
+  std::string list = read_file(at("tracked/frames.jsonl"));
+  const std::string mesh = "registered_000.vtu";
+  QVERIFY(list.find(mesh) != std::string::npos);
+  write_text(at("tracked/frames.jsonl"), list.replace(list.find(mesh), mesh.size(), "thesis.odt").c_str());
   QCOMPARE(run(track_).code, 0);
+  QCOMPARE(read_file(at("tracked/thesis.odt")), std::string("another's"));
   QVERIFY(!fs::exists(at("tracked/INCOMPLETE")));
   // So do meshes of frames that the new run has not got, and no others.
   QVERIFY(fs::exists(at("tracked/registered_001.vtu")) && !fs::exists(at("tracked/registered_002.vtu")));

@@ -3,6 +3,7 @@
 #include "glisson/engine/case_lock.h"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -102,6 +103,7 @@ class CaseLockTest : public QObject {
   void ClosingLetsGo();
   void TheSameCaseThroughALinkIsTheSame();
   void ALockIsNoWayToAnotherFile();
+  void APipeInTheLocksPlaceIsNotWaitedFor();
   void ALockThatCannotBeWrittenNamesItsOwner();
   void AnotherCaseIsReplacedOnlyWhenSaid();
   void ASaveThatIsCancelledTooLateIsDone();
@@ -271,6 +273,14 @@ class AsAnother {
  private:
   bool is_root_;
 };
+
+void CaseLockTest::APipeInTheLocksPlaceIsNotWaitedFor() {
+  fs::remove(lock_file_of(path()));
+  QCOMPARE(::mkfifo(lock_file_of(path()).c_str(), 0444), 0);
+  std::optional<CaseOwner> owner;
+  QVERIFY(CaseLock::take(path(), owner) == nullptr && owner.has_value());
+  QVERIFY(fs::is_fifo(lock_file_of(path())));
+}
 
 void CaseLockTest::ALockThatCannotBeWrittenNamesItsOwner() {
   const QTemporaryDir folder;  // below which others may come

@@ -117,6 +117,12 @@ fs::path former_name(const fs::path& path) {
   return path.parent_path() / ("." + path.filename().string() + ".former");
 }
 
+/// What a save that was killed has left beside a whole case: a copy of the patient that nobody looks at.
+void drop_former(const fs::path& path) {
+  std::error_code ignored;
+  if (holds_case(path) && holds_case(former_name(path))) fs::remove_all(former_name(path), ignored);
+}
+
 /// Puts `fresh` where `path` is, in one step as seen from outside.
 void exchange(const fs::path& fresh, const fs::path& path) {
   std::error_code failure;
@@ -129,6 +135,7 @@ void exchange(const fs::path& fresh, const fs::path& path) {
   } else {
     // A file system without exchange: between the two renames the case stands under its former name, where
     // open_case looks too.
+    drop_former(path);
     fs::rename(path, former_name(path), failure);
     if (!failure) fs::rename(fresh, path, failure);
     if (!failure) fs::remove_all(former_name(path), failure);
@@ -165,6 +172,7 @@ std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
       notes.push_back("case.kept_changed " + (path / file).string());
   flush_tree(fresh);
   exchange(fresh, path);
+  drop_former(path);
   flush_to_disk(path.parent_path());
   return notes;
 }

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <pwd.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -57,6 +58,11 @@ std::string written(const CaseOwner& owner) {
               {"since", owner.since}}
              .dump() +
          "\n";
+}
+
+bool is_plain_file(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 /// Empty: nothing is said, or nothing that makes sense.
@@ -118,13 +124,15 @@ std::shared_ptr<const CaseLock> CaseLock::take(const fs::path& folder, std::opti
   const fs::path file = lock_file_of(folder);
   const CaseOwner here = this_process();
   for (int trial = 0; trial < kTrials; ++trial) {
-    int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
+    // A pipe that somebody has put there would be waited for without an end.
+    constexpr int kFlags = O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK;
+    int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | kFlags, 0644);
     // Another person's lock can be read, and so be seen to be held, where it cannot be written.
     const bool is_anothers = descriptor < 0 && errno == EACCES;
-    if (is_anothers) descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (is_anothers) descriptor = ::open(file.c_str(), O_RDONLY | kFlags);
     Claim claim(descriptor);
     owner = CaseOwner{};
-    if (claim.descriptor() < 0) return nullptr;
+    if (claim.descriptor() < 0 || !is_plain_file(claim.descriptor())) return nullptr;
     const bool held = claim.take();
     const bool kernel_knows = held || errno == EWOULDBLOCK;
     if (!claim.is_at(file)) continue;  // whoever had it has just removed it

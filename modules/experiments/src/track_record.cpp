@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/track_record.h"
 
+#include <string_view>
 #include <utility>
 
 #include "glisson/core/files.h"
@@ -107,6 +108,18 @@ void TrackRecord::compare(int number, const OverlayFrame& overlay) {
       errors.at("tre_volume_mean_mm");
 }
 
+namespace {
+
+/// Whether a file has the name of a frame's mesh, as TrackRecord gives it: registered_NUMBER.vtu or .vtp.
+bool is_mesh_of_frame(std::string_view name) {
+  constexpr std::string_view kBegin = "registered_";
+  if (!name.starts_with(kBegin) || !(name.ends_with(".vtu") || name.ends_with(".vtp"))) return false;
+  const std::string_view number = name.substr(kBegin.size(), name.size() - kBegin.size() - 4);
+  return !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
 void remove_former_meshes(const std::filesystem::path& folder, const std::filesystem::path& fresh) {
   namespace fs = std::filesystem;
   const fs::path list = folder / "frames.jsonl";
@@ -120,8 +133,8 @@ void remove_former_meshes(const std::filesystem::path& folder, const std::filesy
   }
   for (const OverlayLine& line : former.frames) {
     const fs::path mesh = folder / line.mesh;
-    // Only what lies beside the list: anybody may have written it.
-    if (line.mesh.empty() || fs::path(line.mesh).filename() != line.mesh) continue;
+    // Only what has a name that is given here: anybody may have written the list.
+    if (!is_mesh_of_frame(line.mesh)) continue;
     const bool is_file = fs::is_regular_file(fs::symlink_status(mesh, failure));
     if (is_file && !fs::exists(fresh / line.mesh, failure)) fs::remove(mesh, failure);
   }
