@@ -17,7 +17,9 @@
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/preview_edit.h"
+#include "glisson/engine/commands/review_proposal.h"
 #include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_landmarks.h"
 #include "glisson/engine/commands/set_review.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/take_registration.h"
@@ -29,6 +31,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/preview.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/registration/refusal.h"
@@ -155,6 +158,7 @@ void LateActsTest::WhatNobodyHasSeenIsNotAccepted() {
   state[part::registration] = std::make_shared<const Registration>(refused);
   state[part::model] = std::make_shared<const model::BuiltModel>();
   state[part::offer] = std::make_shared<const SegmentationOffer>();
+  state[part::proposals] = std::make_shared<const atlas::Transfer>();
   state[part::other_registration] = std::make_shared<const OtherRegistration>();
   const auto told = [&state](const Command& command) {
     return test::complaint([&] { command.apply(state, RunContext(), plain_services()); });
@@ -165,6 +169,10 @@ void LateActsTest::WhatNobodyHasSeenIsNotAccepted() {
   QVERIFY(is_unseen(AcceptRegistration{seen}, "registration"));
   QVERIFY(is_unseen(ChooseRival{0, seen}, "registration"));
   QVERIFY(is_unseen(CheckModel{{true}, std::make_shared<const model::BuiltModel>()}, "model"));
+  QVERIFY(is_unseen(SetLandmarks{{}, std::make_shared<const model::BuiltModel>()}, "model"));
+  ReviewProposal review;
+  review.seen = std::make_shared<const atlas::Transfer>();
+  QVERIFY(is_unseen(review, "proposals"));
   QVERIFY(is_unseen(TakeRegistration{std::make_shared<const OtherRegistration>()}, "other_registration"));
   for (const auto choice : {DecideSegmentation::Choice::take, DecideSegmentation::Choice::keep_all})
     QVERIFY(
@@ -173,6 +181,7 @@ void LateActsTest::WhatNobodyHasSeenIsNotAccepted() {
   QVERIFY(told(AcceptRegistration{state[part::registration]}).empty());
   QVERIFY(told(AcceptRegistration{}).empty());
   QVERIFY(told(CheckModel{{true}, state[part::model]}).empty());
+  QVERIFY(told(SetLandmarks{{}, state[part::model]}).empty());
   QVERIFY(told(DecideSegmentation{DecideSegmentation::Choice::keep_all, true, state[part::offer]}).empty());
 }
 

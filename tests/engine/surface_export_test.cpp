@@ -213,7 +213,14 @@ void SurfaceExportTest::NothingSaysWhoseTheyAre() {
 void SurfaceExportTest::WhatIsWrittenComesInAgain() {
   for (const std::string& ending : surface_endings()) {
     const fs::path out = at("again") / ending.substr(1);
+    QVERIFY(surfaces_in(out, ending).empty());
     script_->run(ExportSurfaces{out, ending});
+    write_file_atomically(out / ("notes" + ending + ".txt"), std::string("x"));
+    // What a person is asked about before it is written over.
+    std::vector<std::string> there;
+    for (const fs::path& file : surfaces_in(out, ending)) there.push_back(file.stem().string());
+    QCOMPARE(there, (std::vector<std::string>{"lesion_1", "liver", "portal_vein"}));
+    QVERIFY(surfaces_in(out, ending == ".stl" ? ".ply" : ".stl").empty());
     script_->run(ExportSurfaces{out, ending});  // over itself
     const model::SurfaceSet set = model::read_surfaces(out, LengthUnit::millimetre);
     QVERIFY(set.notes.empty());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same seeds give the same labels, to the voxel, in the window and on the command line.
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 
@@ -31,8 +33,12 @@ class CommandLineTest : public QObject, private SegmentationWindow {
   void SameSeedsGiveTheSameLabels_data();
   void SameSeedsGiveTheSameLabels();
   void SurfacesLeaveBothAlike();
+  void SurfacesThatLieThereAreNotReplacedUnasked();
 
  private:
+  /// By the menu, as PLY. @param name typed into the dialog. @param answer the button of the question whether
+  /// what lies there may be replaced. @return what was asked; empty: nothing.
+  QString export_surfaces(const std::filesystem::path& name, const QString& answer);
   void click(const char* structure, const Eigen::Vector3d& p) {
     press(structure);
     QTest::mouseClick(&slice(scene::Plane::axial), Qt::LeftButton, {},
@@ -73,25 +79,48 @@ void CommandLineTest::SameSeedsGiveTheSameLabels() {
   QVERIFY(count(structure::kParenchyma) > 1000 && count(structure::kPortalVein) > 10);
 }
 
-void CommandLineTest::SurfacesLeaveBothAlike() {
-  open_labels();
-  const CommandLine program;
+QString CommandLineTest::export_surfaces(const std::filesystem::path& name, const QString& answer) {
+  QString asked;
   QTimer answers;
   connect(&answers, &QTimer::timeout, this, [&] {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (dialog == nullptr) return;
-    answers.stop();
-    dialog->selectNameFilter(QStringLiteral("PLY (*.ply)"));
-    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    name->setText(QString::fromStdString(program.at("window").string()));
-    QTest::keyClick(name, Qt::Key_Return);
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      dialog->selectNameFilter(QStringLiteral("PLY (*.ply)"));
+      auto* typed = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+      typed->setText(QString::fromStdString(name.string()));
+      QTest::keyClick(typed, Qt::Key_Return);
+    } else if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      asked = box->text();
+      for (QAbstractButton* one : box->buttons())
+        if (one->text().remove(QLatin1Char('&')) == answer) one->click();
+    }
   });
   answers.start(20);
   for (QAction* action : window_->findChildren<QAction*>())
     if (action->text().remove(QLatin1Char('&')).startsWith(QStringLiteral("Export surfaces"))) {
-      QVERIFY(action->isEnabled());
+      if (!action->isEnabled()) return QStringLiteral("not enabled");
       action->trigger();
     }
+  return settle() ? asked : QStringLiteral("does not settle");
+}
+
+void CommandLineTest::SurfacesThatLieThereAreNotReplacedUnasked() {
+  open_labels();
+  const TemporaryFolder place;
+  const std::filesystem::path folder = place.path() / "window", liver = folder / "liver.ply";
+  QVERIFY(export_surfaces(folder, {}).isEmpty());
+  write_file_atomically(liver, std::string("of another patient"));
+  // The ending names the format: the folder is the one that is there already.
+  const QString asked = export_surfaces(place.path() / "window.ply", QStringLiteral("Cancel"));
+  QVERIFY2(asked.contains(QStringLiteral("lesion_1.ply, liver.ply, portal_vein.ply")), qPrintable(asked));
+  QCOMPARE(read_file(liver), std::string("of another patient"));
+  QVERIFY(!export_surfaces(place.path() / "window.ply", QStringLiteral("Replace")).isEmpty());
+  QVERIFY(read_triangle_mesh(liver, LengthUnit::millimetre).triangle_count() > 0);
+}
+
+void CommandLineTest::SurfacesLeaveBothAlike() {
+  open_labels();
+  const CommandLine program;
+  QVERIFY(export_surfaces(program.at("window"), {}).isEmpty());  // nothing to ask about
   QVERIFY(settle());
   std::filesystem::copy_file(folder_->path() / "labels.seg.nrrd", program.at("labels.seg.nrrd"));
   const test::Ran ran = program.run({"model", "--case", "a.glisson", "--labels", "labels.seg.nrrd",

@@ -137,6 +137,7 @@ void RecoveryTest::WhatCannotBeOpenedStays() {
   MainWindow window;
   window.show();
   Autosaver autosaver(window.engine(), window, root());
+  QVERIFY(autosaver.period() == std::chrono::minutes(2));
   autosaver.set_period(std::chrono::milliseconds(20));
   const auto left = engine::find_recoverable(root());
   QCOMPARE(left.size(), std::size_t{1});

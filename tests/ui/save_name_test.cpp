@@ -19,10 +19,12 @@ class SaveNameTest : public QObject {
   void ANameGetsItsEndingOnce();
   void WhatIsNotThereNeedsNoQuestion();
   void WhatIsThereGoesOnlyWhenSaid();
+  void SeveralFilesAreAskedAboutAtOnce();
 
  private:
   /// Answers the question with this button as soon as it stands. @return what it says.
-  static QString answer(const QString& path, const QString& button, bool* allowed) {
+  template <class Paths>
+  static QString answer(const Paths& path, const QString& button, bool* allowed) {
     QString said;
     const QObject here;  // where no question stands, the answer goes with it
     QTimer::singleShot(0, &here, [&] {
@@ -62,6 +64,18 @@ void SaveNameTest::WhatIsThereGoesOnlyWhenSaid() {
   QVERIFY2(said.contains(QStringLiteral("patient.glisson")), qPrintable(said));
   QVERIFY(!allowed);
   answer(path, QStringLiteral("Replace"), &allowed);
+  QVERIFY(allowed);
+}
+
+void SaveNameTest::SeveralFilesAreAskedAboutAtOnce() {
+  bool allowed = true;
+  QVERIFY(may_be_replaced(nullptr, QStringList()));
+  const QStringList there{QStringLiteral("/out/liver.stl"), QStringLiteral("/out/lesion_1.stl")};
+  const QString said = answer(there, QStringLiteral("Cancel"), &allowed);
+  QVERIFY2(said.contains(QStringLiteral("/out")) && said.contains(QStringLiteral("liver.stl, lesion_1.stl")),
+           qPrintable(said));
+  QVERIFY(!allowed);
+  answer(there, QStringLiteral("Replace"), &allowed);
   QVERIFY(allowed);
 }
 

@@ -21,8 +21,10 @@ bool is_one_of(const std::string& ending, const std::vector<std::string>& ending
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
+constexpr const char* kLiver = "liver";
+
 std::string name_of(const NamedSurface& surface) {
-  return surface.structure == structure::kParenchyma ? "liver" : structure_name(surface.structure);
+  return surface.structure == structure::kParenchyma ? kLiver : structure_name(surface.structure);
 }
 
 Cancellable<std::vector<NamedSurface>> surfaces_of(const CaseState& state, const RunContext& context,
@@ -61,6 +63,18 @@ fs::path found_at(const fs::path& folder) {
 const std::vector<std::string>& surface_endings() {
   static const std::vector<std::string> kEndings = {".stl", ".ply", ".obj", ".vtp"};
   return kEndings;
+}
+
+std::vector<fs::path> surfaces_in(const fs::path& folder, const std::string& ending) {
+  std::vector<fs::path> found;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() == ending && (stem == kLiver || structure_named(stem)))
+      found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 Cancellable<std::vector<fs::path>> write_case_surfaces(const fs::path& folder, const std::string& ending,

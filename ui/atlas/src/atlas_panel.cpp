@@ -185,7 +185,7 @@ void AtlasPanel::place(double x, double y) {
 }
 
 void AtlasPanel::store() {
-  storing_.insert(engine().post(engine::SetLandmarks{landmarks_}));
+  storing_.insert(engine().post(engine::SetLandmarks{landmarks_, model_}));
   show_landmarks();
 }
 

@@ -331,7 +331,7 @@ void ProposalReview::decide(Decision decision, const Points& moved) {
   if (one == nullptr) return;
   former_.push_back({*one, engine::placed_points(engine_.state(), one->structure),
                      engine::placed_deviations(engine_.state(), one->structure)});
-  posted_.insert(engine_.post(engine::ReviewProposal{one->structure, decision, moved}));
+  posted_.insert(engine_.post(engine::ReviewProposal{one->structure, decision, moved, shown_}));
   if (decision != Decision::moved) go_on();
   show_chosen();
 }

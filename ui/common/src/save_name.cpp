@@ -16,6 +16,16 @@ class SaveName {
   Q_DECLARE_TR_FUNCTIONS(SaveName)
 };
 
+bool wants_to_replace(QWidget* parent, const QString& what, const QString& meaning) {
+  QMessageBox box(QMessageBox::Warning, SaveName::tr("Save"), what, QMessageBox::NoButton, parent);
+  box.setObjectName(QStringLiteral("replace"));
+  box.setInformativeText(meaning);
+  const QPushButton* replace = box.addButton(SaveName::tr("Replace"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+  box.exec();
+  return box.clickedButton() == replace;
+}
+
 }  // namespace
 
 QString with_ending(const QString& path, const QStringList& endings) {
@@ -28,14 +38,18 @@ QString with_ending(const QString& path, const QStringList& endings) {
 bool may_be_replaced(QWidget* parent, const QString& path) {
   const QFileInfo there(path);
   if (!there.exists() && !there.isSymLink()) return true;
-  QMessageBox box(QMessageBox::Warning, SaveName::tr("Save"),
-                  SaveName::tr("%1 is there already.").arg(there.fileName()), QMessageBox::NoButton, parent);
-  box.setObjectName(QStringLiteral("replace"));
-  box.setInformativeText(SaveName::tr("Replacing it deletes what it holds."));
-  const QPushButton* replace = box.addButton(SaveName::tr("Replace"), QMessageBox::DestructiveRole);
-  box.setDefaultButton(box.addButton(QMessageBox::Cancel));
-  box.exec();
-  return box.clickedButton() == replace;
+  return wants_to_replace(parent, SaveName::tr("%1 is there already.").arg(there.fileName()),
+                          SaveName::tr("Replacing it deletes what it holds."));
+}
+
+bool may_be_replaced(QWidget* parent, const QStringList& there) {
+  if (there.isEmpty()) return true;
+  QStringList names;
+  for (const QString& path : there) names << QFileInfo(path).fileName();
+  return wants_to_replace(parent,
+                          SaveName::tr("In %1 there are already: %2.")
+                              .arg(QFileInfo(there.front()).absolutePath(), names.join(QStringLiteral(", "))),
+                          SaveName::tr("Replacing them deletes what they hold."));
 }
 
 QString ask_where_to_save(QWidget* parent, const QString& title, const QString& proposed,

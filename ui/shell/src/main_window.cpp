@@ -338,7 +338,10 @@ void MainWindow::export_surfaces() {
     if (path.endsWith(text)) command = {path.chopped(text.size()).toStdString(), ending};
     if (path.endsWith(text)) break;
   }
-  engine_.post(command);
+  QStringList there;
+  for (const auto& file : engine::surfaces_in(command.folder, command.ending))
+    there << QString::fromStdString(file.string());
+  if (may_be_replaced(this, there)) engine_.post(command);
 }
 
 void MainWindow::show_step(int step) {

@@ -9,6 +9,7 @@
 #include "../review_step.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/proposals.h"
+#include "seen.h"
 
 namespace glisson::engine {
 namespace {
@@ -58,6 +59,7 @@ void move(Proposal& proposal, const Points& to) {
 CommandTraits ReviewProposal::traits() const { return review_traits("review_proposal"); }
 
 Cancellable<Applied> ReviewProposal::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::proposals, seen);
   const Proposal* proposed = proposal_of(state, structure);
   if (proposed == nullptr)
     throw InputError("ReviewProposal", atlas::structure_code(structure), "is not proposed",

@@ -3,6 +3,7 @@
 
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -16,6 +17,7 @@ CommandTraits SetLandmarks::traits() const {
 }
 
 Cancellable<Applied> SetLandmarks::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::model, seen);
   Applied applied{state};
   // None at all is as if nobody had said anything: a part that holds nothing could not be saved.
   const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;

@@ -13,6 +13,11 @@ namespace glisson::engine {
 /// Endings of the formats that surfaces leave in: ".stl", ".ply", ".obj", ".vtp".
 const std::vector<std::string>& surface_endings();
 
+/// Surfaces in a folder that have names by which write_case_surfaces() may write over them, in their order by
+/// name. Empty: there are none, or no such folder.
+std::vector<std::filesystem::path> surfaces_in(const std::filesystem::path& folder,
+                                               const std::string& ending);
+
 /// The closed surfaces of the liver and of each structure: those of the model where it is there and up to
 /// date, else those that the labels enclose. A file each, `liver`, `portal_vein`, `lesion_1`, ..., LPS
 /// millimetres; nothing in them says whose they are. The folder is made if there is none. All files are

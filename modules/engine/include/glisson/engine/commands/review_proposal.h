@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "glisson/atlas/transfer.h"
 #include "glisson/engine/command.h"
 
@@ -15,9 +17,11 @@ struct ReviewProposal {
   /// Where it was moved to (CT frame, metres): as many points as the proposal has, for areas the points of
   /// the contact. Empty unless `decision` is moved.
   PointsIn<CtFrame> moved = {};
+  /// The proposals that the person has looked at; null: whatever the case holds.
+  std::shared_ptr<const atlas::Transfer> seen = {};
 
   CommandTraits traits() const;
-  /// @throws InputError nothing is proposed for the structure, or another number of points.
+  /// @throws InputError `seen` is not what the case holds, nothing is proposed for the structure, or another number of points.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

@@ -18,6 +18,9 @@ QString with_ending(const QString& path, const QStringList& endings);
 /// Whether `path` may be written: nothing lies there, or a person has said that it may go.
 bool may_be_replaced(QWidget* parent, const QString& path);
 
+/// The same for several files that are there already, asked at once; true where there are none.
+bool may_be_replaced(QWidget* parent, const QStringList& there);
+
 /// Asks for a file or folder to write, with its ending. Empty: none is wanted.
 /// @param own may be written over without a question, as the case that is open; may be empty.
 QString ask_where_to_save(QWidget* parent, const QString& title, const QString& proposed,

@@ -26,6 +26,7 @@ class Autosaver : public QObject {
   Autosaver(EngineBridge& engine, QMainWindow& window, const std::filesystem::path& root);
 
   void set_period(std::chrono::milliseconds period);
+  std::chrono::milliseconds period() const { return timer_.intervalAsDuration(); }
   /// Asks about each copy that was left behind, one after the other.
   void offer_recovery();
 
