@@ -92,11 +92,12 @@ ScalarField::ScalarField(const VolumeGrid& grid, std::vector<float> values)
 
 double ScalarField::at(const Eigen::Vector3d& p_in_ct) const {
   const Eigen::Vector3d index = index_from_ct_ * p_in_ct + offset_;
-  const int i = static_cast<int>(std::floor(index.x())), j = static_cast<int>(std::floor(index.y())),
-            k = static_cast<int>(std::floor(index.z()));
-  if (i < 0 || j < 0 || k < 0 || i + 1 >= grid_.size.x() || j + 1 >= grid_.size.y() ||
-      k + 1 >= grid_.size.z())
+  // The mesher asks for points so far away that no int holds their cell.
+  const auto is_inside = [](double at, int count) { return at >= 0.0 && at < count - 1.0; };
+  if (!is_inside(index.x(), grid_.size.x()) || !is_inside(index.y(), grid_.size.y()) ||
+      !is_inside(index.z(), grid_.size.z()))
     return -kFar;
+  const int i = static_cast<int>(index.x()), j = static_cast<int>(index.y()), k = static_cast<int>(index.z());
   const double u = index.x() - i, v = index.y() - j, w = index.z() - k;
   const long row = grid_.size.x(), slice = row * grid_.size.y();
   const float* c = values_.data() + i + row * j + slice * k;
