@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface_weights.h"
+
 namespace glisson::registration {
 namespace {
 
@@ -70,22 +72,19 @@ Eigen::MatrixXd ForceRows::along(const fem::NodalColumns& columns) const {
 ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, const RowNoise& noise) {
   ForceRows rows;
   resize(rows, cloud.cloud.size());
+  const std::vector<double> weights = surface_weights(cloud);
   bool labelled = false;
-  Eigen::Index next = 0;
   int outliers = 0;
   for (int i = 0; i < cloud.cloud.size(); ++i) {
-    if (!on_surface(surface, cloud.cloud.feature(i))) {
-      labelled = true;
-      continue;
-    }
+    labelled = labelled || !on_surface(surface, cloud.cloud.feature(i));
     const Eigen::Vector3d p = cloud.cloud.points.row(i).transpose();
     const ClosestPoint at = surface.closest(Feature::surface, p);
     const Eigen::Vector3d n = surface.normal(at);
     rows.carriers.push_back(surface.carrier(at));
     rows.seen_in.push_back(cloud.cloud.look(i));
-    rows.points.row(next) = at.point.transpose();
-    rows.directions.row(next) = n.transpose();
-    rows.gap[next] = n.dot(p - at.point);
+    rows.points.row(i) = at.point.transpose();
+    rows.directions.row(i) = n.transpose();
+    rows.gap[i] = n.dot(p - at.point);
     const double own = cloud.deviation(i);
     const double apart = at.distance / std::max(noise.half, 2.0 * own);
     outliers += apart > 1.0;
@@ -93,15 +92,13 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
         noise.information
             ? std::hypot(
                   noise.sigma / std::sqrt(*noise.information *
-                                          std::max(kLeastWeight, cloud.weight[static_cast<std::size_t>(i)])),
+                                          std::max(kLeastWeight, weights[static_cast<std::size_t>(i)])),
                   own)
             : std::max(noise.sigma, own);
-    rows.sigma[next] = deviation * std::sqrt(1.0 + apart * apart);
-    ++next;
+    rows.sigma[i] = deviation * std::sqrt(1.0 + apart * apart);
   }
-  resize(rows, next);
-  rows.surface_count = next;
-  if (next > 0) rows.outlier_share = outliers / static_cast<double>(next);
+  rows.surface_count = rows.size();
+  if (rows.surface_count > 0) rows.outlier_share = outliers / static_cast<double>(rows.surface_count);
   if (labelled) add_labelled(rows, cloud, surface, noise.sigma);
   return rows;
 }

@@ -27,7 +27,7 @@ struct ForceRows {
   Eigen::VectorXd gap;             ///< from the model's point to the cloud's, m
   Eigen::VectorXd sigma;           ///< standard deviation, m; larger for what lies apart (Cauchy)
   std::vector<int> seen_in;        ///< which look
-  Eigen::Index surface_count = 0;  ///< rows of surface points; they come first
+  Eigen::Index surface_count = 0;  ///< rows of the surface, one a point; they come first
   double outlier_share = 0.0;      ///< of these, that weigh less than a half
 
   Eigen::Index size() const { return gap.size(); }
@@ -46,8 +46,9 @@ struct RowNoise {
   std::optional<double> information;
 };
 
-/// Surface points count along the normal alone, whatever the distance; margin points and the notch's centroid
-/// in all directions, restricted to their parts.
+/// Every point counts along the surface's normal alone, whatever its label and the distance; after these,
+/// where the model has the landmark, margin points and the notch's centroid in all directions, restricted to
+/// their parts.
 /// @param surface where the model is now, in the cloud's frame.
 ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, const RowNoise& noise);
 

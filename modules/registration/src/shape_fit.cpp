@@ -13,6 +13,7 @@
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/rivals.h"
 #include "looks.h"
+#include "surface_weights.h"
 
 namespace glisson::registration {
 namespace {
@@ -56,7 +57,11 @@ class ShapeFitter {
         rest_(model.mesh.vertices),
         cloud_(cloud),
         still_(cloud_.cloud),
-        surface_(surface) {
+        surface_(surface),
+        surface_weight_(surface_weights(cloud_)) {
+    for (int i = 0; i < cloud_.cloud.size(); ++i)
+      if (cloud_.cloud.feature(i) != Feature::surface && surface_.has(cloud_.cloud.feature(i)))
+        marks_.push_back(i);
     fit_.start = start;
     fit_.start.looks = one_a_look(cloud_.cloud, start.looks);
     fit_.camera_from_ct = start.camera_from_ct;
@@ -102,7 +107,23 @@ class ShapeFitter {
   void pair() {
     fit_.nodes_in_camera = fit_.camera_from_ct.apply(prior_.shape(rest_, fit_.amplitudes));
     surface_.move(fit_.nodes_in_camera);
+    if (!pairs_.empty()) pairs_.resize(static_cast<std::size_t>(cloud_.cloud.size()));
     pairs_ = find_pairs(cloud_, surface_, pairing_, pairs_);
+    for (const int mark : marks_) pairs_.push_back(on_surface(mark));
+  }
+
+  /// What lies on a landmark lies on the surface, too: the point's pair as one of the surface.
+  Pair on_surface(int point) const {
+    Pair pair;
+    pair.point = point;
+    const Eigen::Vector3d p = cloud_.cloud.points.row(point).transpose();
+    pair.on_model = surface_.closest(Feature::surface, p);
+    pair.gap = p - pair.on_model.point;
+    pair.normal = surface_.normal(pair.on_model);
+    pair.kept =
+        cloud_.cloud.normals.rows() == 0 ||
+        pair.normal.dot(cloud_.cloud.normals.row(point).transpose()) >= pairing_.minimum_normal_cosine;
+    return pair;
   }
 
   /// From here on no point is paired with a face that looks away from the camera. Before, while the shape is
@@ -132,7 +153,8 @@ class ShapeFitter {
   /// that neighbours share: with v = sigma^2 / share the variance is v + own^2, that of share v / (v +
   /// own^2).
   double share(const Pair& pair) const {
-    const double share = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+    const std::vector<double>& weight = pair.feature == Feature::surface ? surface_weight_ : cloud_.weight;
+    const double share = weight[static_cast<std::size_t>(pair.point)] * options_.information;
     const double sigma = pair.feature == Feature::surface ? options_.sigma_surface
                                                           : std::max(options_.sigma_margin, pair.deviation);
     const double own = cloud_.deviation(pair.point) / sigma;
@@ -185,7 +207,7 @@ class ShapeFitter {
   NormalEquations normal_equations() const {
     const Eigen::Index modes = prior_.modes.cols();
     const Eigen::Index poses = 6L * cloud_.cloud.look_count();
-    fem::NodalColumns a = fem::NodalColumns::Zero(3L * cloud_.cloud.size(), modes + poses);
+    fem::NodalColumns a = fem::NodalColumns::Zero(3L * std::ssize(pairs_), modes + poses);
     Eigen::VectorXd gap(a.rows());
     Eigen::Index rows = 0;
     for (const Pair& pair : pairs_) {
@@ -244,7 +266,9 @@ class ShapeFitter {
   LabelledCloud still_;  ///< before its looks were moved
   PairOptions pairing_;
   MovingSurface surface_;
-  std::vector<Pair> pairs_;
+  std::vector<double> surface_weight_;
+  std::vector<int> marks_;   ///< points of landmarks that the model has
+  std::vector<Pair> pairs_;  ///< one a point, then one with the surface for each mark
   ShapeFit fit_;
   double least_cost_ = std::numeric_limits<double>::infinity();
   int least_at_ = 0;  ///< the iteration in which it last fell by kLessCost
