@@ -13,6 +13,7 @@
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/reconstruct.h"
 #include "rendered_pair.h"
+#include "retimed.h"
 #include "stream_views.h"
 #include "streams.h"
 
@@ -140,6 +141,45 @@ class SourceTest : public QObject {
       while (video.read(frame)) ++count;
       QCOMPARE(count, 4);
     }
+  }
+
+  void FramesHaveTheTimesOfTheirFile_data() {
+    QTest::addColumn<bool>("separate");
+    QTest::newRow("both views in a file") << false;
+    QTest::newRow("two files") << true;
+  }
+  /// A recorder of 25 pictures a second that dropped some, once eight in a row.
+  void FramesHaveTheTimesOfTheirFile() {
+    QFETCH(bool, separate);
+    const std::vector<int> times = {0, 40, 80, 160, 240, 280, 640, 680, 760, 800};
+    for (const char* name : {"uneven.mkv", "uneven_right.mkv"}) {
+      film(name, 128, 48, static_cast<int>(times.size()),
+           [](int i, int x, int y) { return shade(x / 64, i, x % 64, y); });
+      const test::Retimer retimed(read_file(at(name)), times, 840.0);
+      QCOMPARE(retimed.blocks(), times.size());
+      write_file_atomically(at(name), retimed.content());
+    }
+    SourceOptions options;
+    options.left = at("uneven.mkv");
+    if (separate) options.right = at("uneven_right.mkv"), options.layout = Layout::separate;
+    StereoVideo video(options);
+    for (int pass = 0; pass < 2; ++pass) {
+      std::size_t k = 0;
+      for (StereoFrame frame; video.read(frame); ++k) {
+        QVERIFY(k < times.size());
+        QVERIFY2(std::abs(frame.seconds - 1e-3 * times[k]) < 2e-3,
+                 qPrintable(QString("frame %1: %2 s").arg(k).arg(frame.seconds)));
+      }
+      QCOMPARE(k, times.size());  // and its end is no break
+      video.rewind();
+    }
+    const std::string whole = read_file(at("uneven.mkv"));
+    write_file_atomically(at("uneven.mkv"), whole.substr(0, whole.size() / 2));
+    StereoVideo cut(options);
+    const auto read_all = [&] {
+      for (StereoFrame frame; cut.read(frame);) continue;
+    };
+    QVERIFY_THROWS_EXCEPTION(InputError, read_all());
   }
 
   void InterleavedRowsAreTakenApart() {

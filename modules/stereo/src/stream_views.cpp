@@ -27,6 +27,27 @@ void require_size(const PictureStream& stream, const cv::Mat& image) {
                    "Give pictures of one size");
 }
 
+/// How far a file has been read by its own times. Recorders drop frames: then there are fewer than its length
+/// and rate give, and it ends all the same.
+class Reached {
+ public:
+  void take(const PictureStream& stream) {
+    if (taken_ > 0) longest_ = std::max(longest_, stream.seconds - last_);
+    if (taken_++ == 0) first_ = stream.seconds;
+    last_ = stream.seconds;
+  }
+  int taken() const { return taken_; }
+  /// To within the longest step so far.
+  bool is_end_of(int frames, double rate) const {
+    return taken_ + kRoundedFrames >= frames ||
+           (taken_ > 0 && last_ - first_ + longest_ + (kRoundedFrames + 0.5) / rate >= frames / rate);
+  }
+
+ private:
+  int taken_ = 0;
+  double first_ = 0.0, last_ = 0.0, longest_ = 0.0;
+};
+
 /// Both views in each picture.
 class OneStream : public Views {
  public:
@@ -50,11 +71,11 @@ class OneStream : public Views {
   bool read(cv::Mat& left, cv::Mat& right) override {
     cv::Mat whole;
     if (!stream_->grab() || !stream_->retrieve(whole)) {
-      if (read_ + kRoundedFrames < frames) broken_off(stream_->name, read_, frames);
+      if (!reached_.is_end_of(frames, rate)) broken_off(stream_->name, reached_.taken(), frames);
       return false;
     }
     require_size(*stream_, whole);
-    ++read_;
+    reached_.take(*stream_);
     if (layout_ == Layout::side_by_side) {
       left = whole.colRange(0, width);
       right = whole.colRange(width, 2 * width);
@@ -69,16 +90,19 @@ class OneStream : public Views {
   }
   void rewind() override {
     stream_->rewind();
-    read_ = 0;
+    reached_ = {};
   }
   std::optional<double> came() const override {
     return stream_->live ? std::optional(stream_->seconds) : std::nullopt;
+  }
+  std::optional<double> stamped() const override {
+    return stream_->live ? std::nullopt : std::optional(stream_->seconds);
   }
 
  private:
   std::unique_ptr<PictureStream> stream_;
   Layout layout_;
-  int read_ = 0;
+  Reached reached_;
 };
 
 /// A view each, matched by their times.
@@ -102,52 +126,55 @@ class TwoStreams : public Views {
   }
 
   bool read(cv::Mat& left, cv::Mat& right) override {
-    bool has_left = take(*left_, taken_left_), has_right = take(*right_, taken_right_);
+    bool has_left = take(*left_, in_left_), has_right = take(*right_, in_right_);
     const double begin = std::min(left_->seconds, right_->seconds);
     while (has_left && has_right) {
       const Meeting met = meeting(left_->seconds, right_->seconds, largest_skew_);
       if (met == Meeting::pair) return retrieve(left, right);
       ++skipped;
       if (met == Meeting::pass_left)
-        has_left = take(*left_, taken_left_);
+        has_left = take(*left_, in_left_);
       else
-        has_right = take(*right_, taken_right_);
+        has_right = take(*right_, in_right_);
       if (std::max(left_->seconds, right_->seconds) - begin > kLongestSearch) refuse_skew();
     }
     // Only a file that breaks off is reported. One of two cameras that was unplugged, or one of two recorders
     // that was stopped a moment before the other, is simply the end.
     if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
       const PictureStream& broken = has_left ? *right_ : *left_;
-      const int taken = has_left ? taken_right_ : taken_left_,
-                longest = std::max(left_->frames, right_->frames);
-      if (taken + kRoundedFrames < longest) broken_off(broken.name, taken, longest);
+      const Reached& reached = has_left ? in_right_ : in_left_;
+      const int longest = std::max(left_->frames, right_->frames);
+      if (!reached.is_end_of(longest, rate)) broken_off(broken.name, reached.taken(), longest);
     }
-    for (const auto& [stream, taken] : {std::pair(left_.get(), taken_left_), {right_.get(), taken_right_}})
-      if (!has_left && !has_right && taken + kRoundedFrames < stream->frames)
-        broken_off(stream->name, taken, stream->frames);
+    for (const auto& [stream, reached] : {std::pair(left_.get(), &in_left_), {right_.get(), &in_right_}})
+      if (!has_left && !has_right && !reached->is_end_of(stream->frames, rate))
+        broken_off(stream->name, reached->taken(), stream->frames);
     return false;
   }
   void rewind() override {
     left_->rewind();
     right_->rewind();
-    taken_left_ = taken_right_ = 0;
+    in_left_ = in_right_ = {};
     skipped = 0;
   }
   std::optional<double> came() const override {
     return left_->live ? std::optional(left_->seconds) : std::nullopt;
   }
+  std::optional<double> stamped() const override {
+    return left_->live ? std::nullopt : std::optional(left_->seconds);
+  }
 
  private:
-  static bool take(PictureStream& stream, int& taken) {
+  static bool take(PictureStream& stream, Reached& reached) {
     if (!stream.grab()) return false;
-    ++taken;
+    reached.take(stream);
     return true;
   }
   bool retrieve(cv::Mat& left, cv::Mat& right) {
     const bool has_left = left_->retrieve(left), has_right = right_->retrieve(right);
     if ((!has_left && left_->live) || (!has_right && right_->live)) return false;
-    if (!has_left) broken_off(left_->name, taken_left_ - 1, left_->frames);
-    if (!has_right) broken_off(right_->name, taken_right_ - 1, right_->frames);
+    if (!has_left) broken_off(left_->name, in_left_.taken() - 1, left_->frames);
+    if (!has_right) broken_off(right_->name, in_right_.taken() - 1, right_->frames);
     require_size(*left_, left);
     require_size(*right_, right);
     return true;
@@ -162,7 +189,7 @@ class TwoStreams : public Views {
 
   std::unique_ptr<PictureStream> left_, right_;
   double largest_skew_;
-  int taken_left_ = 0, taken_right_ = 0;
+  Reached in_left_, in_right_;
 };
 
 }  // namespace

@@ -55,8 +55,9 @@ bool FileStream::grab() {
         "Copy the video again, or record it anew");
   if (grabbed->grabbed != 1) return false;
   const double stamp = 1e-3 * grabbed->milliseconds;
-  // Some containers have no times, and a reader that was taken over may tell any: counted then.
-  seconds = std::isfinite(stamp) && (stamp > 0.0 || taken_ == 0) ? stamp : taken_ / rate;
+  // Times are since the first picture, for which OpenCV tells when it was decoded. Some containers have none,
+  // and a reader that was taken over may tell any: counted then.
+  seconds = std::isfinite(stamp) && stamp > 0.0 && taken_ > 0 ? stamp : taken_ / rate;
   ++taken_;
   return true;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string_view>
@@ -99,7 +100,8 @@ struct StereoVideo::Impl {
   std::unique_ptr<Views> views;
   cv::Rect part;  ///< of each view that is given out
   int next = 0;
-  std::optional<double> first;  ///< when a live source's first frame came
+  std::optional<double> first;  ///< when a live source's first frame came, or what a file says of its own
+  bool by_stamps = false;       ///< the file's times are not those of its rate
 
   Impl(const SourceOptions& given, std::unique_ptr<Views> opened) : options(given), views(std::move(opened)) {
     const Crop& crop = options.crop;
@@ -112,6 +114,22 @@ struct StereoVideo::Impl {
                            ", " + std::to_string(part.y) + ") of views of " +
                            size_text(views->width, views->height),
                        "Crop within the picture");
+  }
+
+  /// Of the frame that was read last. What is live comes when it comes: frames that were dropped show in the
+  /// times. So they do in files, which recorders make with gaps, or at a rate that changes; but files round
+  /// their times, so the count tells them as long as both agree.
+  double seconds_of(int index) {
+    constexpr double kLongest = 1e6;  // seconds; what says more is no time
+    const double counted = index / views->rate;
+    const std::optional<double> came = views->came(), stamped = views->stamped();
+    if (!came && !stamped) return counted;
+    if (!first) first = came ? came : stamped;
+    if (came) return *came - *first;
+    const double told = *stamped - *first;
+    if (!(told >= 0.0 && told < kLongest)) return counted;
+    by_stamps = by_stamps || std::abs(told - counted) > 0.5 / views->rate + 1e-3;
+    return by_stamps ? told : counted;
   }
 
   Picture finished(const cv::Mat& image) const {
@@ -149,10 +167,7 @@ bool StereoVideo::read(StereoFrame& frame) {
   frame.left = impl_->finished(left);
   frame.right = impl_->finished(right);
   frame.index = impl_->next++;
-  // What is live comes when it comes: frames that were dropped show in the times.
-  const std::optional<double> came = impl_->views->came();
-  if (came && !impl_->first) impl_->first = came;
-  frame.seconds = came ? *came - *impl_->first : frame.index / impl_->views->rate;
+  frame.seconds = impl_->seconds_of(frame.index);
   return true;
 }
 
@@ -160,6 +175,7 @@ void StereoVideo::rewind() {
   impl_->views->rewind();
   impl_->next = 0;
   impl_->first.reset();
+  impl_->by_stamps = false;
 }
 
 }  // namespace glisson::stereo

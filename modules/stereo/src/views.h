@@ -18,6 +18,8 @@ class Views {
   virtual void rewind() = 0;
   /// When what was read last came, of a live source.
   virtual std::optional<double> came() const { return std::nullopt; }
+  /// The time of what was read last as its file has it, seconds. Empty: it has none, or is live.
+  virtual std::optional<double> stamped() const { return std::nullopt; }
 
   int width = 0, height = 0, frames = 0, skipped = 0;  ///< of one view
   double rate = 0.0;
