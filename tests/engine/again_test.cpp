@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Registered again while the organ is followed: offered first, then taken, and back.
 #include <QTest>
+#include <functional>
 
 #include "glisson/engine/commands/register_again.h"
 #include "glisson/engine/commands/start_tracking.h"
@@ -29,8 +30,10 @@ class Showing : public Follower {
   }
   OverlayFrame take(const Registration& registration) override {
     nodes_ = registration.nodes_in_camera;
+    if (taken) taken();
     return overlay();
   }
+  static inline std::function<void()> taken;  ///< called when it has gone over
   std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() override {
     return std::make_shared<const Points>(Points::Ones(overlay_.index, 3));
   }
@@ -91,6 +94,8 @@ class AgainTest : public QObject {
  private slots:
   void WhatIsOfferedIsTakenAndNothingIsOutOfDate_data() { test::both_runners(); }
   void WhatIsOfferedIsTakenAndNothingIsOutOfDate();
+  void WhoCancelsAfterItHasGoneOverComesTooLate_data() { test::both_runners(); }
+  void WhoCancelsAfterItHasGoneOverComesTooLate();
   void ARefusedOneIsNotTaken_data() { test::both_runners(); }
   void ARefusedOneIsNotTaken();
   void AnOfferOfAFormerRegistrationIsOutOfDate_data() { test::both_runners(); }
@@ -147,6 +152,22 @@ void AgainTest::WhatIsOfferedIsTakenAndNothingIsOutOfDate() {
   QCOMPARE(shown(engine), 1.0);
   QCOMPARE(registered(engine), 1.0);
   QVERIFY(!engine.snapshot()->state[part::other_registration]->is_former);
+  current(engine);
+}
+
+void AgainTest::WhoCancelsAfterItHasGoneOverComesTooLate() {
+  QFETCH(Runner, runner);
+  Engine engine(options(runner));
+  ask(engine, Registered{1.0});
+  ask(engine, StartTracking{});
+  follow(engine, 1);
+  ask(engine, offer(2.0));
+  Showing::taken = [&engine] { engine.cancel_all(); };
+  const Outcome outcome = ask(engine, TakeRegistration{});
+  Showing::taken = {};
+  follow(engine, 2);
+  QCOMPARE(registered(engine), shown(engine));  // the case tells of what is drawn
+  QCOMPARE(outcome.status, Status::done);
   current(engine);
 }
 

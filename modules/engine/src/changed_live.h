@@ -28,7 +28,8 @@ inline Follower& follower_of(const Services& services) {
   return *services.follower;
 }
 
-/// The live part as it is now, with what hands have said.
+/// The live part as it is now, with what hands have said. The follower has changed already: who cancels now
+/// comes too late, or the case would tell of another registration than the one that is followed.
 inline Applied with_live(const CaseState& state, OverlayFrame overlay, const Follower& follower) {
   Applied applied{state};
   LiveState live = *state[part::live];
@@ -37,6 +38,7 @@ inline Applied with_live(const CaseState& state, OverlayFrame overlay, const Fol
   live.mask = follower.mask_status();
   applied.figures["corrections"] = static_cast<double>(live.corrections.size());
   applied.state[part::live] = std::make_shared<const LiveState>(std::move(live));
+  applied.is_final = true;
   return applied;
 }
 
