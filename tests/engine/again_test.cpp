@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Registered again while the organ is followed: offered first, then taken, and back.
 #include <QTest>
+#include <cmath>
 #include <functional>
 
+#include "../registration/phantom.h"
+#include "glisson/core/error.h"
 #include "glisson/engine/commands/register_again.h"
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/commands/stop_tracking.h"
 #include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
 #include "runners.h"
@@ -96,6 +102,7 @@ class AgainTest : public QObject {
   void WhatIsOfferedIsTakenAndNothingIsOutOfDate();
   void WhoCancelsAfterItHasGoneOverComesTooLate_data() { test::both_runners(); }
   void WhoCancelsAfterItHasGoneOverComesTooLate();
+  void PointsOfAnotherMomentAreLeftOut();
   void ARefusedOneIsNotTaken_data() { test::both_runners(); }
   void ARefusedOneIsNotTaken();
   void AnOfferOfAFormerRegistrationIsOutOfDate_data() { test::both_runners(); }
@@ -169,6 +176,33 @@ void AgainTest::WhoCancelsAfterItHasGoneOverComesTooLate() {
   QCOMPARE(registered(engine), shown(engine));  // the case tells of what is drawn
   QCOMPARE(outcome.status, Status::done);
   current(engine);
+}
+
+void AgainTest::PointsOfAnotherMomentAreLeftOut() {
+  // Another pair was loaded, and a registration to it imported; the cloud is still the former pair's.
+  CaseState state;
+  auto built = std::make_shared<model::BuiltModel>();
+  built->model = phantom::model(6, 5, 3);
+  Registration start;
+  start.camera_from_ct = phantom::view();
+  start.nodes_in_camera = start.camera_from_ct.apply(built->model.mesh.vertices);
+  const LabelledCloud seen = phantom::patch(built->model, start.nodes_in_camera, {});
+  LiveState live;
+  live.tissue_at_start = std::make_shared<const PointsIn<CameraFrame>>(seen.points);
+  LabelledCloud former = seen;
+  former.points(0, 0) = std::nan("");  // whoever looks at it refuses it
+  state[part::model] = built;
+  state[part::registration] = std::make_shared<const Registration>(start);
+  state[part::live] = std::make_shared<const LiveState>(live);
+  state[part::frame] = std::make_shared<const StereoInput>();
+  state[part::cloud] = std::make_shared<const LabelledCloud>(former);
+  state.stamp(part::frame).revision = 3;
+  state.stamp(part::cloud) = {2, {{part::frame, 1}}};
+  RegisterAgain command;
+  command.operations = false;
+  QVERIFY(command.apply(state, RunContext()).has_value());
+  state.stamp(part::cloud).made_from = {{part::frame, 3}};
+  QVERIFY_THROWS_EXCEPTION(InputError, command.apply(state, RunContext()));
 }
 
 void AgainTest::ARefusedOneIsNotTaken() {

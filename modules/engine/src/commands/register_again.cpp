@@ -20,13 +20,18 @@
 namespace glisson::engine {
 namespace {
 
+/// None where the case's is of another moment than the one that is followed (its pair or calibration is
+/// another one by now): it lies in another frame than the tissue.
+LabelledCloud cloud_of(const CaseState& state) {
+  return stage_state(state, part::cloud) == StageState::current ? *state[part::cloud] : LabelledCloud();
+}
+
 Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
                                                       const PointsIn<CameraFrame>& seen,
                                                       const registration::RegisterOptions& options,
                                                       const RunContext& context) {
-  const LabelledCloud none;
-  return registration::register_again(effective_model(state), state[part::cloud] ? *state[part::cloud] : none,
-                                      seen, *state[part::registration], options_of(state, options), context,
+  return registration::register_again(effective_model(state), cloud_of(state), seen,
+                                      *state[part::registration], options_of(state, options), context,
                                       known_operations(state, context.seed()));
 }
 
