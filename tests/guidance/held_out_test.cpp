@@ -5,6 +5,7 @@
 #include "filmed_phantom.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/guidance/tracker.h"
+#include "held_out.h"
 
 using namespace glisson;
 using namespace glisson::guidance;
@@ -15,6 +16,8 @@ class HeldOutTest : public QObject {
   void initTestCase();
   void AToolThatIsMaskedPullsNoMore();
   void AMaskOfAFormerFrameIsAskedWhereThePointsWereThen();
+  void AnOldMaskIsAskedWhereThePointsWereAtAnyRate_data();
+  void AnOldMaskIsAskedWhereThePointsWereAtAnyRate();
   void WhatMasksAllWithdrawsAndWhatMasksMostDegrades();
   void AMaskOfAnotherSizeIsNone();
 
@@ -107,6 +110,30 @@ void HeldOutTest::AMaskOfAFormerFrameIsAskedWhereThePointsWereThen() {
   QVERIFY(std::abs(overlay.mask->age - 0.1) < 1e-9);
   tracker.see(nullptr);
   QVERIFY(!tracker.follow(with_tool(4)).mask);
+}
+
+void HeldOutTest::AnOldMaskIsAskedWhereThePointsWereAtAnyRate_data() {
+  QTest::addColumn<double>("rate");
+  for (const double rate : {5.0, 30.0, 60.0, 120.0})
+    QTest::newRow(qPrintable(QString("%1 frames a second").arg(rate))) << rate;
+}
+
+void HeldOutTest::AnOldMaskIsAskedWhereThePointsWereAtAnyRate() {
+  // The point was on the tool, and has come out of it in the eight seconds since.
+  QFETCH(double, rate);
+  HeldOut held_out(film_.rig, 17, 0.5);
+  FollowedPoint point;
+  const int frames = static_cast<int>(8.0 * rate);
+  point.left = {300.0, 120.0};
+  held_out.remember(0, 0.0, {point});  // of another source, whose frames have the same numbers
+  held_out.remember(7777, 0.0, {point});
+  for (int k = 0; k <= frames; ++k) {
+    point.left = {100.0 + 150.0 * k / frames, 120.0};
+    held_out.remember(k, k / rate, {point});
+  }
+  PictureMask first = *mask(0, 60, 140);
+  held_out.take(std::make_shared<const PictureMask>(first), 8.0, film_.model.surface.mesh);
+  QCOMPARE(held_out.free({point}), std::vector<char>{0});
 }
 
 void HeldOutTest::WhatMasksAllWithdrawsAndWhatMasksMostDegrades() {

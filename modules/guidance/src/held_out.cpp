@@ -10,8 +10,10 @@
 namespace glisson::guidance {
 namespace {
 
-constexpr std::size_t kRemembered = 300;  ///< frames: as old as a mask may ever be at 30 a second
-constexpr double kRelief = 0.8;           ///< of the limit: below it the reason goes
+/// Seconds that a mask may ever be old (network/mask_sheet.h). And frames, for a source that tells no time.
+constexpr double kOldest = 10.0;
+constexpr std::size_t kRemembered = 2000;
+constexpr double kRelief = 0.8;  ///< of the limit: below it the reason goes
 
 }  // namespace
 
@@ -37,25 +39,26 @@ void HeldOut::take(const std::shared_ptr<const PictureMask>& mask, double now, c
   use_->held_out = 0;
 }
 
-void HeldOut::remember(int index, const std::vector<FollowedPoint>& points) {
-  if (places_.empty() || places_.back().first != index)
-    places_.emplace_back(index, std::map<int, Eigen::Vector2d>());
-  for (const FollowedPoint& point : points) places_.back().second.emplace(point.id, point.left);
-  if (places_.size() > kRemembered) places_.pop_front();
+void HeldOut::remember(int index, double seconds, const std::vector<FollowedPoint>& points) {
+  if (places_.empty() || places_.back().index != index) places_.push_back({index, seconds, {}});
+  for (const FollowedPoint& point : points) places_.back().points.emplace(point.id, point.left);
+  const auto is_old = [&] { return places_.front().seconds < seconds - kOldest; };
+  while (places_.size() > kRemembered || (places_.size() > 1 && is_old())) places_.pop_front();
 }
 
 std::vector<char> HeldOut::free(const std::vector<FollowedPoint>& points) {
   never_liver_.clear();
   std::vector<char> result(points.size(), 1);
   if (!mask_) return result;
-  const auto frame = std::find_if(places_.begin(), places_.end(),
-                                  [this](const auto& one) { return one.first == mask_->index; });
+  // The newest of that number: a live source counts anew, the registered frame has one of its own.
+  const auto frame = std::find_if(places_.rbegin(), places_.rend(),
+                                  [this](const Places& one) { return one.index == mask_->index; });
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int id = points[i].id;
     Eigen::Vector2d at = points[i].left;
     bool was_there = false;
-    if (frame != places_.end())
-      if (const auto then = frame->second.find(id); then != frame->second.end()) {
+    if (frame != places_.rend())
+      if (const auto then = frame->points.find(id); then != frame->points.end()) {
         at = then->second;
         was_there = true;
       }

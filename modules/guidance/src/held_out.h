@@ -40,8 +40,8 @@ class HeldOut {
     return use_ && (use_->share >= most_ || (use_->held_out > 0 && left + use_->held_out >= wanted));
   }
 
-  /// Where the points of a frame are; more may be told of the same frame.
-  void remember(int index, const std::vector<FollowedPoint>& points);
+  /// Where the points of a frame are; more may be told of the same frame. @param seconds of the source.
+  void remember(int index, double seconds, const std::vector<FollowedPoint>& points);
   /// @return one decision a point, false: it is held out.
   std::vector<char> free(const std::vector<FollowedPoint>& points);
   /// Whether a point may begin at a left pixel.
@@ -51,6 +51,12 @@ class HeldOut {
   const std::vector<int>& never_liver() const { return never_liver_; }
 
  private:
+  struct Places {
+    int index = 0;
+    double seconds = 0.0;
+    std::map<int, Eigen::Vector2d> points;  ///< left pixels by the point's id
+  };
+
   /// Of the surface's area before the camera and in the picture.
   double share_of(const TriangleMesh& surface) const;
   bool is_masked(const std::vector<std::uint8_t>& bytes, const Eigen::Vector2d& left) const;
@@ -59,9 +65,9 @@ class HeldOut {
   int margin_;
   double most_;
   std::shared_ptr<const PictureMask> mask_;
-  std::vector<std::uint8_t> widened_;                                  ///< by the margin
-  std::deque<std::pair<int, std::map<int, Eigen::Vector2d>>> places_;  ///< by frame, by the point's id
-  std::set<int> liver_;                                                ///< ids that a mask has let pass
+  std::vector<std::uint8_t> widened_;  ///< by the margin
+  std::deque<Places> places_;          ///< by frame
+  std::set<int> liver_;                ///< ids that a mask has let pass
   std::vector<int> never_liver_;
   std::optional<MaskUse> use_;
   Alarm most_masked_{2, 3};  ///< masks

@@ -105,7 +105,7 @@ struct Tracker::Impl {
     held_out.emplace(rig, options.window_px, options.most_masked);
     held_out->take(given_mask, first.seconds, body.surface().mesh());
     replenish();
-    held_out->remember(first.index, follower->points());
+    held_out->remember(first.index, first.seconds, follower->points());
     relocator = std::make_unique<Relocator>(rig, parts.tissue);
     relocator->remember(first.left, body.surface());
     clock = {};
@@ -124,7 +124,7 @@ struct Tracker::Impl {
   /// Points that are not on the liver go. Their places come back as others do (PointMemory), but for those
   /// that never were on it.
   void hold_out(const StereoFrame& frame, OverlayFrame& overlay) {
-    held_out->remember(frame.index, follower->points());
+    held_out->remember(frame.index, frame.seconds, follower->points());
     held_out->take(given_mask, frame.seconds, body.surface().mesh());
     follower->keep(held_out->free(follower->points()));
     memory->forget(held_out->never_liver());
@@ -361,7 +361,7 @@ struct Tracker::Impl {
         overlay.pairs = static_cast<int>(follower->points().size());
         overlay.validity =
             overlay.pairs < options.minimum_pairs ? Validity::too_few_points : follow_points(overlay);
-        held_out->remember(frame.index, follower->points());
+        held_out->remember(frame.index, frame.seconds, follower->points());
         if (overlay.validity == Validity::too_few_points &&
             held_out->explains_few(overlay.pairs, options.minimum_pairs))
           overlay.validity = Validity::masked_out;
