@@ -22,6 +22,7 @@ class AgainTest : public QObject {
   void AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs();
   void AWrongStartIsRegisteredAgainAndShown();
   void AShownOrganGoesOverGently();
+  void ItGoesOverWhereTheSourceTellsNoTime();
   void WhatHandsHaveSaidIsKept();
   void WhatCannotBeFollowedIsRefusedAndNothingChanges();
 
@@ -137,6 +138,21 @@ void AgainTest::AShownOrganGoesOverGently() {
     last = now;
   }
   QVERIFY2(last > 0.9e-3, qPrintable(QString::number(1e3 * last)));  // it has gone
+}
+
+void AgainTest::ItGoesOverWhereTheSourceTellsNoTime() {
+  Tracker tracker = begun(film_.start), left_alone = begun(film_.start);
+  const auto timeless = [&](int k) {
+    StereoFrame one = frame(k);
+    one.seconds = 0.0;
+    return one;
+  };
+  for (int k = 1; k <= 12; ++k) tracker.follow(timeless(k)), left_alone.follow(timeless(k));
+  tracker.take(off({1.5e-3, 0.0, 0.0}));
+  OverlayFrame gone, left;
+  for (int k = 13; k <= 45; ++k) gone = tracker.follow(timeless(k)), left = left_alone.follow(timeless(k));
+  const double apart = (gone.nodes_in_camera - left.nodes_in_camera).rowwise().norm().mean();
+  QVERIFY2(apart > 0.9e-3, qPrintable(QString::number(1e3 * apart)));
 }
 
 void AgainTest::WhatHandsHaveSaidIsKept() {

@@ -31,6 +31,8 @@ class LesionJudgeTest : public QObject {
   void TheSpreadTurnsWithTheOrgan();
   void PointsFarFromABentOrganSayLittle();
   void WhatIsUnseenIsKnownLessAndLess();
+  void ASourceWithoutTimesLeavesNothingKnown_data();
+  void ASourceWithoutTimesLeavesNothingKnown();
   void WhatIsUnseenStaysSoWhenARegistrationIsTaken();
   void ATakenRegistrationSaysHowFarItsLesionsAreKnown();
   void NearPointsMakeItKnownAgain();
@@ -188,6 +190,34 @@ void LesionJudgeTest::WhatIsUnseenIsKnownLessAndLess() {
   for (int k = 1; k <= 300; ++k) verdict = worse.judge(frame(nodes, k), far_points)[0];
   QVERIFY(verdict.level == Level::degraded);
   QVERIFY(verdict.reason == LesionReason::long_unseen);
+}
+
+void LesionJudgeTest::ASourceWithoutTimesLeavesNothingKnown_data() {
+  QTest::addColumn<bool>("stands");
+  QTest::newRow("its time stands") << true;
+  QTest::newRow("its time goes back") << false;
+}
+
+void LesionJudgeTest::ASourceWithoutTimesLeavesNothingKnown() {
+  // A frame counts as 1/30 s, as everywhere in guidance.
+  QFETCH(bool, stands);
+  const Registration registration = start(round_spread(7e-3));
+  LesionJudge judge(model_, registration);
+  const Points& nodes = registration.nodes_in_camera;
+  const auto at = [&](int k, double seconds) {
+    OverlayFrame overlay = frame(nodes, k);
+    overlay.seconds = seconds;
+    return overlay;
+  };
+  judge.judge(at(0, 100.0), points_at(nodes, 0.0));
+  LesionVerdict verdict;
+  for (int k = 1; k <= 90; ++k)
+    verdict = judge.judge(at(k, stands ? 100.0 : 100.0 - k), points_at(nodes, 50e-3))[0];
+  QVERIFY2(std::abs(verdict.unseen - 3.0) < 1e-6, qPrintable(QString::number(verdict.unseen)));
+  QVERIFY(verdict.reach > 7.05e-3);
+  // A correction shows the last frame once more: no time has passed.
+  verdict = judge.judge(at(90, stands ? 100.0 : 10.0), points_at(nodes, 50e-3))[0];
+  QVERIFY2(std::abs(verdict.unseen - 3.0) < 1e-6, qPrintable(QString::number(verdict.unseen)));
 }
 
 void LesionJudgeTest::WhatIsUnseenStaysSoWhenARegistrationIsTaken() {

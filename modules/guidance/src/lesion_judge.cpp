@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "alarm.h"
+#include "frame_clock.h"
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
 #include "glisson/geometry/rigid.h"
@@ -71,7 +73,7 @@ struct LesionJudge::Impl {
     bool known = false;
     Alarm wide{2, 3}, useless{2, 3};
     bool is_renewed = false;  ///< its covariance is another one, and the alarms are of the former
-    double near_at = 0.0;     ///< seconds of the video
+    double near_at = 0.0;     ///< seconds of the clock
     double support = 0.0;     ///< of the last frame that had points
     double far_at_start = 0.0;
   };
@@ -169,8 +171,8 @@ struct LesionJudge::Impl {
     const double ratio = lesion.support / options.reach, far = 1.0 - std::exp(-ratio * ratio);
     if (!begun) lesion.far_at_start = far;
     const double lost = std::max(0.0, far - lesion.far_at_start);
-    if (!begun || (tracked.rows() > 0 && lost <= kLost)) lesion.near_at = overlay.seconds;
-    const double unseen = std::max(0.0, overlay.seconds - lesion.near_at);
+    if (!begun || (tracked.rows() > 0 && lost <= kLost)) lesion.near_at = clock.now();
+    const double unseen = clock.now() - lesion.near_at;
     const Eigen::Matrix3d at_start = motion.rotation * lesion.covariance * motion.rotation.transpose();
     const double by_shape = far * changed * changed;
     const double free = options.unknown_forces * options.unknown_forces;
@@ -186,10 +188,19 @@ struct LesionJudge::Impl {
     return result;
   }
 
+  /// The next frame, or the last one once more, as a correction leaves it.
+  void tick(const OverlayFrame& overlay) {
+    const std::pair frame(overlay.index, overlay.seconds);
+    if (last_frame != frame) clock.tick(overlay.seconds);
+    last_frame = frame;
+  }
+
   LesionOptions options;
   TetMesh mesh;
   Points start;
   bool refused = false, begun = false;
+  FrameClock clock;
+  std::optional<std::pair<int, double>> last_frame;  ///< index and seconds
   std::vector<Lesion> lesions;
   Binding binding;
 };
@@ -208,6 +219,7 @@ void LesionJudge::take(const Registration& registration) {
 std::vector<LesionVerdict> LesionJudge::judge(const OverlayFrame& overlay, const Points& tracked) {
   std::vector<LesionVerdict> verdicts;
   if (impl_->lesions.empty() || overlay.nodes_in_camera.rows() != impl_->start.rows()) return verdicts;
+  impl_->tick(overlay);
   const RigidMotion motion = fit_rigid_motion(impl_->start, overlay.nodes_in_camera, {});
   const Points as_body =
       (impl_->start * motion.rotation.transpose()).rowwise() + motion.translation.transpose();

@@ -288,15 +288,15 @@ struct Tracker::Impl {
     // Evidence against a refuted place says nothing of the new one; evidence for a shown one goes on
     // counting.
     if (judge && judge->refutes()) judge->distrust();
-    if (last.level() != Level::withdrawn) going_over = GoingOver{former - hand->shape(), last.seconds};
+    if (last.level() != Level::withdrawn) going_over = GoingOver{former - hand->shape(), clock.now()};
     return drawn(corrected());
   }
 
   /// The overlay as it is drawn while the picture goes over to another registration. Judged is the new one.
   OverlayFrame drawn(OverlayFrame overlay) {
     if (!going_over) return overlay;
-    const double share = 1.0 - (overlay.seconds - going_over->since) / kGentle;
-    if (share <= 0.0 || share > 1.0 || overlay.nodes_in_camera.rows() == 0)
+    const double share = 1.0 - (clock.now() - going_over->since) / kGentle;
+    if (share <= 0.0 || overlay.nodes_in_camera.rows() == 0)
       going_over.reset();
     else
       overlay.nodes_in_camera += share * hand->carried(going_over->way_back, body.positions());
