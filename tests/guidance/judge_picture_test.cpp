@@ -30,6 +30,7 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
   void AStillPictureIsToldFromACopy_data();
   void AStillPictureIsToldFromACopy();
   void ACopyIsToldWhereTooFewPointsTellOfMotion();
+  void WhatStoodIsAliveAgainWhereTooFewPointsTellOfMotion();
 
  private:
   /// Two in each part of the picture in which motion is asked for.
@@ -384,6 +385,38 @@ void JudgePictureTest::ACopyIsToldWhereTooFewPointsTellOfMotion() {
   Validity said = Validity::picture_stands;
   for (int n = 0; n < 10; ++n) said = judged(alive[static_cast<std::size_t>(k % 4)]);
   QCOMPARE(said, Validity::valid);
+}
+
+void JudgePictureTest::WhatStoodIsAliveAgainWhereTooFewPointsTellOfMotion() {
+  // It moves, then its picture is repeated, then it goes on, and fewer points are followed than before.
+  JudgeOptions options;
+  options.supported = options.least_supported = 0.0;  // only the picture is asked about
+  Judge judge(model_, rig_, {}, options);
+  judge.begin(first_, nodes_);
+  std::vector<StereoFrame> alive;
+  for (int k = 0; k < 4; ++k) alive.push_back(phantom::film(model_, nodes_, rig_, k));
+  int k = 0;
+  OverlayFrame overlay;
+  const auto judged = [&](const StereoFrame& shown, const std::vector<FollowedPoint>& points) {
+    StereoFrame now = shown;
+    now.seconds = ++k / 30.0;
+    overlay.nodes_in_camera = nodes_;
+    return judge.judge(now, points, overlay);
+  };
+  std::vector<FollowedPoint> dense = grid(rig_);
+  for (int n = 0; n < 20; ++n) {
+    for (FollowedPoint& point : dense) point.left.x() += 0.4, point.right.x() += 0.4;
+    const Validity said = judged(alive[static_cast<std::size_t>(k % 4)], dense);
+    QVERIFY2(said == Validity::valid, validity_code(said));
+  }
+  Validity said = Validity::valid;
+  for (int n = 0; n < 30; ++n) said = judged(alive[0], dense);
+  QVERIFY2(said == Validity::picture_stands, validity_code(said));
+  std::vector<FollowedPoint> few = sparse();
+  for (FollowedPoint& point : few) point.id += 1000;
+  for (int n = 0; n < 20; ++n) said = judged(frame(n), few);
+  QVERIFY2(said == Validity::valid,
+           qPrintable(QString("%1, fresh %2").arg(validity_code(said)).arg(overlay.evidence.fresh)));
 }
 
 QTEST_APPLESS_MAIN(JudgePictureTest)

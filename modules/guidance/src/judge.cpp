@@ -198,11 +198,15 @@ struct Judge::Impl {
     not_alive.push(unsure, 1.0, options.relief, clock.passed());
   }
 
-  /// Where too few points lie together to tell of motion, a picture that comes again tells by itself.
+  /// Where too few points lie together to tell of motion, a picture that comes again tells by itself; and one
+  /// that is new, with no more noise than is usual, is none that stood before.
   void look_at_copies() {
     if (!motion.is_whole() || noise.fresh() < 0.0) return;
     evidence.fresh = noise.fresh();
-    copies.push(options.repeated / std::max(evidence.fresh, 1e-6), 1.0, options.relief, clock.passed());
+    const double fresh = std::max(evidence.fresh, 1e-6);
+    copies.push(options.repeated / fresh, 1.0, options.relief, clock.passed());
+    const bool is_new = options.fresh < options.relief * fresh && noise.louder() < options.louder;
+    stands.push(is_new ? 0.0 : 0.5 * (1.0 + options.relief), 1.0, options.relief, clock.passed());
   }
 
   /// The picture, or a part of it, is one of before.
