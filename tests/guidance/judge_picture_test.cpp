@@ -18,6 +18,8 @@ class JudgePictureTest : public QObject, private phantom::JudgedFilm {
  private slots:
   void initTestCase() { make_film(); }
   void SmokeAndDarknessLoseSignalAndNoiseIsNone();
+  void ALargePictureShowsAsMuchAsASmallOne();
+  void RowsOfLargePicturesHaveAsMuchRoom();
   void RowsStayWithBothViewsOfOneMoment();
   void ViewsShiftedAlongTheirRowsChangeTheSizeOfAllThatIsSeen();
   void WhatIsWrongFromTheFirstIsNoNorm();
@@ -66,6 +68,49 @@ void JudgePictureTest::SmokeAndDarknessLoseSignalAndNoiseIsNone() {
   QVERIFY(changed(0.15, 0.0, 2.0).signal() < 0.4 * clear);
   QVERIFY(changed(0.0, 100.0, 4.0).signal() < 0.2);
   QVERIFY(std::abs(changed(0.0, 100.0, 4.0).noise - 4.0) < 0.5);
+}
+
+void JudgePictureTest::ALargePictureShowsAsMuchAsASmallOne() {
+  // The same tissue before the same scope, 960 and 3840 pixels wide, each pixel with the same noise.
+  const auto signal = [](int width) {
+    const int height = width / 8;
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0.0, 2.0);
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const double u = 150.0 * x / width, v = 150.0 * y / width;
+        const double grey = 110.0 + 30.0 * std::sin(u) + 20.0 * std::cos(0.8 * u + v) + noise(random);
+        bytes->push_back(static_cast<std::uint8_t>(std::lround(std::clamp(grey, 0.0, 240.0))));
+      }
+    return measure({width, height, 1, bytes}).signal();
+  };
+  const double small = signal(960), large = signal(3840);
+  QVERIFY2(std::abs(large / small - 1.0) < 0.1, qPrintable(QString("%1 and %2").arg(small).arg(large)));
+}
+
+void JudgePictureTest::RowsOfLargePicturesHaveAsMuchRoom() {
+  // A calibration that leaves 0.8 pixels in 960 of them leaves 3.2 in 3840: neither is a fault. What comes
+  // later is one, in both.
+  for (const int times : {1, 4}) {
+    StereoRig rig = rig_;
+    for (Camera* camera : {&rig.left, &rig.right}) {
+      camera->matrix.topRows<2>() *= 3.0 * times;
+      camera->width *= 3 * times;
+      camera->height *= 3 * times;
+    }
+    MotionCheck check;
+    std::vector<FollowedPoint> now = grid(rig);
+    for (std::size_t i = 0; i < now.size(); ++i) now[i].right.y() += times * (i % 2 == 0 ? 0.3 : 1.3);
+    for (int k = 0; k < 8; ++k) check.push(now, rig, k / 30.0);
+    const double limit = check.rows_limit(JudgeOptions().rows);
+    QVERIFY2(std::abs(check.rows()) < limit,
+             qPrintable(QString("%1 times: %2 of %3").arg(times).arg(check.rows()).arg(limit)));
+    for (FollowedPoint& point : now) point.right.y() += times * 0.9;
+    check.push(now, rig, 8 / 30.0);
+    QVERIFY2(std::abs(check.rows()) > limit,
+             qPrintable(QString("%1 times: %2 of %3").arg(times).arg(check.rows()).arg(limit)));
+  }
 }
 
 void JudgePictureTest::RowsStayWithBothViewsOfOneMoment() {

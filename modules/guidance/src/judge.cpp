@@ -181,7 +181,7 @@ struct Judge::Impl {
     part_stands.push(parts.any() ? 1.0 : 0.0, 1.0, options.relief, clock.passed());
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
-    const double across = std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter());
+    const double across = std::abs(evidence.rows) / motion.rows_limit(options.rows);
     views.push(std::max(across, std::abs(motion.depth_off()) / options.pull), 1.0, options.relief,
                clock.passed());
     if (left < 0.0 || right < 0.0) return look_at_copies();

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "glisson/core/statistics.h"
+#include "pixel_scale.h"
 
 namespace glisson::guidance {
 namespace {
@@ -19,8 +20,8 @@ constexpr std::size_t kLeastInGroup = 6;
 constexpr int kGroups = 4;  ///< along each side of the picture
 /// Frames from which the calibration's own offset of rows is learned.
 constexpr int kFirstFrames = 5;
-/// Pixels: the most that a calibration may leave, of the median and of the points' scatter about it. What was
-/// there at first is taken off up to this only.
+/// Pixels (pixel_scale()): the most that a calibration may leave, of the median and of the points' scatter
+/// about it. What was there at first is taken off up to this only.
 constexpr double kMostRows = 1.0, kMostScatter = 0.7;
 constexpr double kUnknown = -1.0;
 /// Places shared with the first ones from which growth is told; with fewer, the present ones follow on.
@@ -81,13 +82,14 @@ void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig
   look_at_size(points);
   if (offsets.empty()) return;
   const double offset = upper_median(offsets);
+  scale_ = pixel_scale(rig.right.width);
   if (rows_seen_ < kFirstFrames) {
     first_rows_ = (rows_seen_ * first_rows_ + offset) / (rows_seen_ + 1.0);
     const double scatter = kDeviationPerMad * median_absolute_deviation(offsets, offset);
-    rows_scatter_ = std::min(kMostScatter, std::max(rows_scatter_, scatter));
+    rows_scatter_ = std::min(scale_ * kMostScatter, std::max(rows_scatter_, scatter));
   }
   ++rows_seen_;
-  rows_ = offset - std::clamp(first_rows_, -kMostRows, kMostRows);
+  rows_ = offset - std::clamp(first_rows_, -scale_ * kMostRows, scale_ * kMostRows);
 }
 
 void MotionCheck::look_at_size(const std::vector<FollowedPoint>& points) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <map>
@@ -38,6 +39,9 @@ class MotionCheck {
   /// By how much points differed in that at first, one deviation, pixels: what the calibration leaves changes
   /// over the picture, and a smaller change of the median may come from seeing another place.
   double rows_scatter() const { return rows_scatter_; }
+  /// From how many pixels of rows() on the views show different moments. @param least in pictures up to 960
+  /// pixels wide; more in larger ones (pixel_scale()), and where the points scattered by more at first.
+  double rows_limit(double least) const { return std::max(scale_ * least, rows_scatter_); }
   /// By how much all depths have become wrong since the first points, metres, negative: too small. Tissue
   /// bends and is pulled here and there, but what is in sight does not grow or shrink as a whole. Where most
   /// distances between its places did, by the same share, one view has been shifted along the rows, which
@@ -63,6 +67,7 @@ class MotionCheck {
   std::array<double, 2> motion_{-1.0, -1.0};  ///< left, right
   double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;
+  double scale_ = 1.0;  ///< of limits in pixels
   /// Of points, camera's frame, metres: distances are held against theirs.
   std::map<int, Eigen::Vector3d> first_places_;
   double grown_before_ = 0.0, growth_ = 0.0;  ///< logarithms: until first_places_, and until now

@@ -2,11 +2,11 @@
 #include "picture_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "glisson/core/statistics.h"
+#include "pixel_scale.h"
 
 namespace glisson::guidance {
 namespace {
@@ -29,18 +29,19 @@ struct Block {
   bool clear = true;  ///< no highlight
 };
 
-Block look_at(const Picture& picture, int left, int top) {
-  std::array<std::array<int, kBlock>, kBlock> v;
+/// @param apart pixels from one that is looked at to the next.
+Block look_at(const Picture& picture, int left, int top, int apart) {
   Block block;
   for (int y = 0; y < kBlock; ++y)
     for (int x = 0; x < kBlock; ++x) {
-      const int grey = green(picture, left + x, top + y);
-      v[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = grey;
+      const int grey = green(picture, left + apart * x, top + apart * y);
       block.mean += grey / static_cast<double>(kBlock * kBlock);
       block.clear = block.clear && grey < kHighlight;
     }
-  const int second = v[0][0] - 2 * v[0][1] + v[0][2] - 2 * (v[1][0] - 2 * v[1][1] + v[1][2]) + v[2][0] -
-                     2 * v[2][1] + v[2][2];
+  // Of neighbours always: noise is each pixel's own.
+  const auto v = [&](int y, int x) { return green(picture, left + x, top + y); };
+  const int second = v(0, 0) - 2 * v(0, 1) + v(0, 2) - 2 * (v(1, 0) - 2 * v(1, 1) + v(1, 2)) + v(2, 0) -
+                     2 * v(2, 1) + v(2, 2);
   block.noise = std::abs(second) * std::sqrt(std::acos(0.0)) / 6.0;
   return block;
 }
@@ -54,12 +55,14 @@ double signal_at_start(const Picture& first, double least) {
 }
 
 PictureMeasures measure(const Picture& picture) {
-  constexpr int kStep = 2 * kBlock;  // every second block, with its neighbour to the right
+  // What tissue shows has as many more pixels as the picture has.
+  const int apart = static_cast<int>(pixel_scale(picture.width)), side = apart * kBlock;
+  const int step = 2 * side;  // every second block, with its neighbour to the right
   std::vector<double> means;
   double squares = 0.0, noise = 0.0;
-  for (int y = 0; y + kBlock <= picture.height; y += kStep)
-    for (int x = 0; x + 2 * kBlock <= picture.width; x += kStep) {
-      const Block a = look_at(picture, x, y), b = look_at(picture, x + kBlock, y);
+  for (int y = 0; y + side <= picture.height; y += step)
+    for (int x = 0; x + 2 * side <= picture.width; x += step) {
+      const Block a = look_at(picture, x, y, apart), b = look_at(picture, x + side, y, apart);
       if (!a.clear || !b.clear) continue;
       means.push_back(a.mean);
       // An outline is one place; what tissue shows is everywhere: large steps count as moderate ones.

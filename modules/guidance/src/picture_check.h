@@ -13,8 +13,9 @@ struct PictureMeasures {
   double signal() const;    ///< detail over noise
 };
 
-/// Measured on blocks of 4 x 4 pixels of the green channel (or of a grey picture), highlights left out. About
-/// a millisecond at 960 x 540. @pre not empty.
+/// Measured on blocks of 4 x 4 pixels of the green channel (or of a grey picture), highlights left out. In
+/// pictures wider than 960 the pixels of a block lie apart (pixel_scale()), so that it covers as much of the
+/// tissue. About a millisecond. @pre not empty.
 PictureMeasures measure(const Picture& picture);
 /// What later pictures are compared with: a picture that begins in smoke or the dark is no norm.
 double signal_at_start(const Picture& first, double least);

@@ -31,7 +31,7 @@ struct JudgeOptions {
   /// copy, too: somebody adds the noise. A scene that has not moved yet is never taken for live.
   double repeated = 0.1, fresh = 0.7, louder = 1.2;
   /// Pixels, Evidence::rows: from here on the two views show different moments. If the points scattered by
-  /// more about their median at first (one deviation), that is the limit instead.
+  /// more about their median at first (one deviation), that is the limit. It grows with widths above 960.
   double rows = 0.35;
   double relief = 0.8;  ///< share of every limit below which a reason goes again, so that it does not flicker
   /// @throws InputError naming the option.
