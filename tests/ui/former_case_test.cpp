@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QStatusBar>
 
 #include "glisson/engine/commands/import_image.h"
@@ -26,6 +27,7 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
   void HowWorkEndedIsSaidOfItsCase();
   void AnErrorsTipGoesWithTheError();
   void WhatAnImageIsIsAskedOfThatImageAlone();
+  void WhoseAnImageIsIsAskedOfTheCaseThatIsOpen();
   void ABrushElsewhereIsNotTheEditors();
   void LabelsAloneAreKeptToo();
   void AStrokeEndsWithItsCase();
@@ -47,6 +49,12 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
     QVERIFY(settle());
   }
   /// All that a button says below itself.
+  /// Null: nobody is asked whose an image is.
+  QMessageBox* whose() const {
+    for (auto* box : window_->findChildren<QMessageBox*>(QStringLiteral("whose_image")))
+      if (box->isVisible()) return box;
+    return nullptr;
+  }
   static QString told_by(const ui::TaskButton& button) {
     QString told;
     for (const QLabel* text : button.findChildren<QLabel*>())
@@ -109,6 +117,27 @@ void FormerCaseTest::WhatAnImageIsIsAskedOfThatImageAlone() {
 }
 
 void FormerCaseTest::ABrushElsewhereIsNotTheEditors() {
+void FormerCaseTest::WhoseAnImageIsIsAskedOfTheCaseThatIsOpen() {
+  const auto other = saved_case(), third = folder_->path() / "third.glisson";
+  std::filesystem::copy(other, third, std::filesystem::copy_options::recursive);
+  window_->open(folder_->path() / "ct.nrrd");
+  QTRY_VERIFY_WITH_TIMEOUT(whose() != nullptr, 20000);
+  QPointer<QMessageBox> asked = whose();
+  open_case(third);
+  QTRY_VERIFY_WITH_TIMEOUT(whose() != nullptr && whose() != asked, 20000);
+  QVERIFY(!asked || !asked->isVisible());
+  // Who is open is about to change: the answer is not for the one who comes.
+  asked = whose();
+  auto* same = asked->findChild<QPushButton*>(QStringLiteral("same_patient"));
+  window_->engine().post(engine::OpenCase{other});
+  QTest::mouseClick(same, Qt::LeftButton);
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state().path, other);
+  QVERIFY(!window_->isWindowModified());
+  QTRY_VERIFY_WITH_TIMEOUT(whose() != nullptr && whose() != asked, 20000);
+  whose()->reject();
+}
+
   open_labels();
   const double radius = session().settings().brush_radius;
   window_->show_step(ui::MainWindow::atlas);
@@ -117,6 +146,26 @@ void FormerCaseTest::ABrushElsewhereIsNotTheEditors() {
 }
 
 void FormerCaseTest::LabelsAloneAreKeptToo() {
+void FormerCaseTest::TheEditorsPlaceToWorkIsOfItsCase() {
+  const auto other = saved_case();
+  ui::EditSettings settings = session().settings();
+  settings.label = structure::kFirstLesion;
+  settings.region.area = editing::EditableRegion::Area::inside_label;
+  settings.region.label = structure::kFirstLesion;
+  settings.region.intensity = {40.0, 80.0};
+  settings.brush_radius = 3e-3;
+  session().set_settings(settings);
+  press("mode_seeds");
+  press("seed_lesion_1");
+  open_case(other);
+  const ui::EditSettings& now = session().settings();
+  QVERIFY(now.region.area == editing::EditableRegion::Area::everywhere && !now.region.intensity);
+  QCOMPARE(now.label, structure::kParenchyma);
+  QCOMPARE(now.brush_radius, 3e-3);  // a hand's, not a patient's
+  QVERIFY(window_->views().state().hand() == ui::Hand::crosshair);
+  QVERIFY(!find<QPushButton>("seed_lesion_1")->isChecked());
+}
+
   window_->engine().post(engine::ImportLabels{folder_->path() / "labels.seg.nrrd", {}});
   QVERIFY(settle());
   QVERIFY(window_->engine().state()[part::labels] && !window_->engine().state()[part::image]);

@@ -244,7 +244,21 @@ void MainWindow::import_image(const std::filesystem::path& path) {
                                         [this, path] { import_->start(path); }));
 }
 
+bool MainWindow::is_case_to_come() const {
+  const auto& tasks = engine_.tasks();
+  return std::any_of(tasks.begin(), tasks.end(),
+                     [](const Task& task) { return task.traits.replaces_case(); });
+}
+
 void MainWindow::ask_whose(const engine::ImportImage& image) {
+  // "The patient who is open" is the one who is when it is answered: of one who is on the way it is asked
+  // then.
+  if (is_case_to_come()) {
+    connect(
+        &engine_, &EngineBridge::finished, this, [this, image] { ask_whose(image); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+    return;
+  }
   auto* box = new QMessageBox(QMessageBox::Question, tr("Open a CT"),
                               tr("Is this CT of another patient, or another one of the patient who is open?"),
                               QMessageBox::Cancel, this);
@@ -261,7 +275,9 @@ void MainWindow::ask_whose(const engine::ImportImage& image) {
   const auto add = [&](const QString& text, const char* name, QMessageBox::ButtonRole role, bool new_case) {
     auto* button = box->addButton(text, role);
     button->setObjectName(QLatin1String(name));
-    connect(button, &QPushButton::clicked, this, [this, image, new_case] {
+    connect(button, &QPushButton::clicked, this, [this, box, image, new_case] {
+      engine_.disconnect(box);  // it is answered
+      if (is_case_to_come()) return ask_whose(image);
       engine::ImportImage answered = image;
       answered.new_case = new_case;
       running_->before(
@@ -270,6 +286,13 @@ void MainWindow::ask_whose(const engine::ImportImage& image) {
   };
   add(tr("New case"), "new_case", QMessageBox::AcceptRole, true);
   add(tr("Same patient"), "same_patient", QMessageBox::ActionRole, false);
+  connect(&engine_, &EngineBridge::case_changed, box,
+          [this, box, image, asked_of = engine_.snapshot()->case_number] {
+            if (engine_.snapshot()->case_number == asked_of) return;
+            engine_.disconnect(box);
+            box->reject();
+            ask_whose(image);
+          });
   box->open();  // does not stop the window
 }
 
