@@ -29,6 +29,7 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
   void WhatAnImageIsIsAskedOfThatImageAlone();
   void WhoseAnImageIsIsAskedOfTheCaseThatIsOpen();
   void ABrushElsewhereIsNotTheEditors();
+  void TheEditorsPlaceToWorkIsOfItsCase();
   void LabelsAloneAreKeptToo();
   void AStrokeEndsWithItsCase();
   void ASeedThatCameTooLateIsNotTheNextPatients();
@@ -48,13 +49,13 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
     window_->engine().post(engine::OpenCase{path});
     QVERIFY(settle());
   }
-  /// All that a button says below itself.
   /// Null: nobody is asked whose an image is.
   QMessageBox* whose() const {
     for (auto* box : window_->findChildren<QMessageBox*>(QStringLiteral("whose_image")))
       if (box->isVisible()) return box;
     return nullptr;
   }
+  /// All that a button says below itself.
   static QString told_by(const ui::TaskButton& button) {
     QString told;
     for (const QLabel* text : button.findChildren<QLabel*>())
@@ -116,7 +117,6 @@ void FormerCaseTest::WhatAnImageIsIsAskedOfThatImageAlone() {
   QVERIFY(window_->engine().state()[part::image]->modality == Modality::ct);
 }
 
-void FormerCaseTest::ABrushElsewhereIsNotTheEditors() {
 void FormerCaseTest::WhoseAnImageIsIsAskedOfTheCaseThatIsOpen() {
   const auto other = saved_case(), third = folder_->path() / "third.glisson";
   std::filesystem::copy(other, third, std::filesystem::copy_options::recursive);
@@ -138,6 +138,7 @@ void FormerCaseTest::WhoseAnImageIsIsAskedOfTheCaseThatIsOpen() {
   whose()->reject();
 }
 
+void FormerCaseTest::ABrushElsewhereIsNotTheEditors() {
   open_labels();
   const double radius = session().settings().brush_radius;
   window_->show_step(ui::MainWindow::atlas);
@@ -145,7 +146,6 @@ void FormerCaseTest::WhoseAnImageIsIsAskedOfTheCaseThatIsOpen() {
   QCOMPARE(session().settings().brush_radius, radius);
 }
 
-void FormerCaseTest::LabelsAloneAreKeptToo() {
 void FormerCaseTest::TheEditorsPlaceToWorkIsOfItsCase() {
   const auto other = saved_case();
   ui::EditSettings settings = session().settings();
@@ -166,6 +166,7 @@ void FormerCaseTest::TheEditorsPlaceToWorkIsOfItsCase() {
   QVERIFY(!find<QPushButton>("seed_lesion_1")->isChecked());
 }
 
+void FormerCaseTest::LabelsAloneAreKeptToo() {
   window_->engine().post(engine::ImportLabels{folder_->path() / "labels.seg.nrrd", {}});
   QVERIFY(settle());
   QVERIFY(window_->engine().state()[part::labels] && !window_->engine().state()[part::image]);

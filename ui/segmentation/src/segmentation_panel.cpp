@@ -220,6 +220,11 @@ void SegmentationPanel::show_case() {
     marks_of_ = number;
     hidden_.clear();  // another patient's lesion is not hidden because one of the former was
     locked_.clear();
+    seeds_->let_go();
+    EditSettings next = session_->settings();
+    next.region = {};
+    if (is_lesion(next.label)) next.label = structure::kParenchyma;
+    session_->set_settings(next);
     take_marks();
   }
   if (now[part::statistics] != shown_statistics_ || now[part::review] != shown_review_ ||
