@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <algorithm>
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/import_image.h"
@@ -36,6 +37,7 @@ class ProposalReviewTest : public QObject {
   void OneButtonProposesAll();
   void TheKeyboardReviewsThem();
   void UndoTakesStepsBackInTurn();
+  void AKeyThatIsHeldAcceptsOne();
   void APointByHandTakesThePlaceOfAnUncertainOne();
   void UndoLeavesWhatAHandHasPlacedSince();
   void AClickMovesIt();
@@ -170,6 +172,23 @@ void ProposalReviewTest::UndoTakesStepsBackInTurn() {
   QVERIFY(proposal(Structure::umbilical_notch).decision == Decision::proposed);
   QVERIFY(!state()[part::landmarks]);
   QVERIFY(!find<QPushButton>("undo_review")->isEnabled());
+}
+
+/// What comes next was not looked at.
+void ProposalReviewTest::AKeyThatIsHeldAcceptsOne() {
+  choose(Structure::umbilical_notch);
+  QApplication::setActiveWindow(window_.get());
+  for (const bool repeats : {false, true, true}) {
+    QTest::simulateEvent(window_->focusWidget(), true, Qt::Key_A, {}, QStringLiteral("a"), repeats);
+    QVERIFY(settle());
+  }
+  QTest::keyRelease(window_->focusWidget(), Qt::Key_A);
+  const auto& all = state()[part::proposals]->proposals;
+  QCOMPARE(std::count_if(all.begin(), all.end(),
+                         [](const atlas::Proposal& one) { return one.decision == Decision::accepted; }),
+           std::ptrdiff_t{1});
+  press(Qt::Key_U);
+  QVERIFY(!state()[part::landmarks] && !find<QPushButton>("undo_review")->isEnabled());
 }
 
 /// Both together would be registered to the place half-way between a guess and a mark, as an exact one.

@@ -38,6 +38,7 @@ class RegisterAgainTest : public QObject {
   void WhatIsNoBetterIsLeftToThePerson();
   void WhatIsRefusedCannotBeTaken();
   void TheSameKeyCancelsAndTheFormerOneStays();
+  void AKeyThatIsHeldIsPressedOnce();
   void AnEndOfTheVideoEndsNothing();
   void WhatWasDoneStandsBesideTheRecording();
 
@@ -114,6 +115,18 @@ void RegisterAgainTest::TheSameKeyCancelsAndTheFormerOneStays() {
   QVERIFY(std::abs(place_x() - before) < 1e-9);
   QVERIFY(guidance().said().startsWith(QStringLiteral("Cancelled")));
   QVERIFY(!guidance().button("exchange_registration")->isEnabled());
+}
+
+void RegisterAgainTest::AKeyThatIsHeldIsPressedOnce() {
+  case_->operation->hold = true;
+  for (const bool repeats : {false, true})
+    QTest::simulateEvent(&guidance().view, true, Qt::Key_R, {}, QStringLiteral("r"), repeats);
+  QTest::keyRelease(&guidance().view, Qt::Key_R);
+  QVERIFY(guidance().again.is_running);
+  case_->operation->hold = false;
+  QTRY_VERIFY(is_idle());
+  QTRY_VERIFY2(guidance().said().startsWith(QStringLiteral("Registered again")),
+               qPrintable(guidance().said()));
 }
 
 void RegisterAgainTest::AnEndOfTheVideoEndsNothing() {

@@ -31,6 +31,7 @@ class SegmentationPreviewTest : public QObject, private SegmentationWindow {
   void TypedEndOfARangeLeavesTheOther();
   void CancelledPreviewChangesNothing();
   void EnterKeepsTheLargestIsland();
+  void EnterThatIsHeldAppliesOnce();
   void LevelTracingShowsWhatAClickTakes();
   void BranchThatAClickWouldMoveIsShownBefore();
 };
@@ -156,6 +157,21 @@ void SegmentationPreviewTest::EnterKeepsTheLargestIsland() {
   QVERIFY(settle());
   QVERIFY(at({-0.02, 0.025, 0}) != structure::kPortalVein);
   QCOMPARE(at({0, -0.015, 0}), structure::kPortalVein);
+}
+
+void SegmentationPreviewTest::EnterThatIsHeldAppliesOnce() {
+  open_labels();
+  choose(structure::kPortalVein);
+  QTest::keyClick(window_.get(), Qt::Key_M);
+  QTRY_VERIFY(session().shows_preview());
+  QVERIFY(settle());
+  const std::size_t steps = session().history()->done();
+  for (const bool repeats : {false, true, true}) {
+    QTest::simulateEvent(window_.get(), true, Qt::Key_Return, {}, QStringLiteral("\r"), repeats);
+    QVERIFY(settle());
+  }
+  QTest::keyRelease(window_.get(), Qt::Key_Return);
+  QCOMPARE(session().history()->done(), steps + 1);
 }
 
 void SegmentationPreviewTest::LevelTracingShowsWhatAClickTakes() {

@@ -131,6 +131,7 @@ QPushButton* ProposalReview::add_button(const QString& text, const QString& expl
   auto* button = new QPushButton(text, this);
   button->setToolTip(QStringLiteral("%1 (%2)").arg(explanation, key.toString(QKeySequence::NativeText)));
   auto* shortcut = new QShortcut(key, this);
+  shortcut->setAutoRepeat(false);  // a key that is held would accept one after the other, unseen
   connect(shortcut, &QShortcut::activated, button, &QPushButton::click);
   keys_.push_back(shortcut);
   return button;
@@ -161,10 +162,12 @@ void ProposalReview::make_list() {
       add_button(tr("Paint faces"), tr("Paint where it touches the liver, in 3D or in a slice"), Qt::Key_P);
   thinner_ = add_button(QStringLiteral("\u2212"), tr("A smaller brush"), Qt::Key_Minus);
   thicker_ = add_button(QStringLiteral("+"), tr("A larger brush"), Qt::Key_Plus);
+  for (QShortcut* size : {keys_.end()[-2], keys_.back()}) size->setAutoRepeat(true);
   paint_->setObjectName(QStringLiteral("paint_proposal"));
   thinner_->setAccessibleName(tr("A smaller brush"));
   thicker_->setAccessibleName(tr("A larger brush"));
   here_ = new QShortcut(Qt::Key_Return, this);
+  here_->setAutoRepeat(false);
   here_->setEnabled(false);
   connect(here_, &QShortcut::activated, this, [this] { move_to(state_.crosshair().xyz); });
   for (QShortcut* key : keys_) key->setEnabled(false);

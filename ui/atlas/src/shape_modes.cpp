@@ -49,6 +49,7 @@ ShapeModes::ShapeModes(EngineBridge& engine, LinkedViews& views, AtlasChoice& ch
   toggle_->setCheckable(true);
   toggle_->setProperty("role", "choice");
   toggle_key_ = new QShortcut(Qt::Key_D, this);
+  toggle_key_->setAutoRepeat(false);
   toggle_key_->setEnabled(false);
   toggle_->setToolTip(
       QStringLiteral("%1 (%2)").arg(tr("The atlas' mean liver over the patient's, bent by its first modes"),

@@ -127,6 +127,9 @@ void LiveView::tell_screen() {
 }
 
 void LiveView::keyPressEvent(QKeyEvent* event) {
+  // Only what steps through frames goes on while its key is held: all else would begin and end by turns.
+  const bool is_step = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+  if (event->isAutoRepeat() && !is_step) return;
   switch (event->key()) {
     case Qt::Key_Escape:
       if (correction_.line.value()) return correction_.give_up();

@@ -168,6 +168,7 @@ void EditBox::build_confirmation(QWidget& page) {
   connect(cancel_, &QPushButton::clicked, &session_, &EditSession::cancel);
   for (const auto key : {Qt::Key_Return, Qt::Key_Enter}) {
     auto* shortcut = new QShortcut(key, &page);
+    shortcut->setAutoRepeat(false);  // a margin would grow for as long as the key is held
     connect(shortcut, &QShortcut::activated, &session_, &EditSession::apply);
   }
 }
