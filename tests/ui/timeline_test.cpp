@@ -291,6 +291,15 @@ void TimelineTest::TheWholeScreenShowsTheSame() {
   QVERIFY(*whole()->picture().picture().bytes == *guidance_->picture()->picture().bytes);
   QTest::keyClick(whole()->findChild<ui::LivePicture*>(), Qt::Key_Escape);
   QTRY_VERIFY(whole() == nullptr);
+  // It is of its window's case, and goes with its window.
+  guidance_->view.setWindowTitle(QStringLiteral("one.glisson"));
+  QTest::keyClick(guidance_->picture(), Qt::Key_F11);
+  QTRY_VERIFY(whole() != nullptr);
+  QCOMPARE(whole()->windowTitle(), QStringLiteral("one.glisson"));
+  guidance_->view.setWindowTitle(QStringLiteral("other.glisson"));
+  QCOMPARE(whole()->windowTitle(), QStringLiteral("other.glisson"));
+  guidance_->view.hide();
+  QTRY_VERIFY(whole() == nullptr);
 }
 
 void TimelineTest::TheSavedPictureIsTheOneOnTheScreen() {

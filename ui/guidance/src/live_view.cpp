@@ -168,9 +168,18 @@ void LiveView::switch_whole_screen() {
   whole_screen_ = new LiveView(model_, review_, correction_, again_);
   whole_screen_->setAttribute(Qt::WA_DeleteOnClose);
   whole_screen_->setObjectName(QStringLiteral("whole_screen_view"));
-  whole_screen_->setWindowTitle(window()->windowTitle());
+  whole_screen_->setWindowTitle(window()->windowTitle());  // whose case it is
+  connect(window(), &QWidget::windowTitleChanged, whole_screen_, &QWidget::setWindowTitle);
+  window()->installEventFilter(this);
   whole_screen_->showFullScreen();
   whole_screen_->picture_->setFocus();
+}
+
+bool LiveView::eventFilter(QObject* watched, QEvent* event) {
+  // The picture would stay, and the program with it, when its window is closed; not when that is minimised.
+  if (event->type() == QEvent::Hide && !event->spontaneous() && watched == window() && whole_screen_)
+    whole_screen_->close();
+  return QWidget::eventFilter(watched, event);
 }
 
 void LiveView::save_picture() {

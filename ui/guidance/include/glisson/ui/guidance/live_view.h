@@ -32,6 +32,8 @@ class LiveView : public QWidget {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  /// Of the window that this view is in.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void show_picture();
