@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/drawable_source.h"
@@ -65,6 +66,7 @@ class RecordingBoxTest : public QObject, GuidanceBench {
   void RecordingThatDrawingEndsSaysWhy();
   void RecordingThatIsTakenBackAtOnceEnds();
   void RecordingReplacesNothingBesideIt();
+  void WhereTheFormerPatientsIsIsNotSaidOfTheNext();
   void WhatWasRegisteredMeanwhileIsWrittenWhateverComesNext();
 };
 
@@ -108,6 +110,23 @@ void RecordingBoxTest::WhatIsRecordedIsChosenBefore() {
   stereo::StereoVideo raw(ui::Recorder::raw_path(file));
   QVERIFY(raw.width() == 64 && raw.frame_count() == 3);
   QVERIFY(std::filesystem::exists(file) && std::filesystem::exists(ui::Recorder::lines_path(file)));
+}
+
+/// A file's name may be a patient's.
+void RecordingBoxTest::WhereTheFormerPatientsIsIsNotSaidOfTheNext() {
+  LiveRecording live(*engine_);
+  const ui::RecordingBox box(live.model);
+  live.playback.is_tracking = true;
+  live.start(folder_->path() / "doe.mkv");
+  live.worker.submit(live_job(0));
+  QTRY_COMPARE(live.painted, 1);
+  live.model.stop();
+  QTRY_VERIFY(!live.model.is_recording);
+  QVERIFY(words_on(box).contains(QStringLiteral("doe.mkv")));
+  post(engine::ImportImage{"ct.nii"});
+  QVERIFY(words_on(box).contains(QStringLiteral("doe.mkv")));
+  post(engine::ImportImage{"ct.nii", {}, true});
+  QVERIFY2(!words_on(box).contains(QStringLiteral("doe.mkv")), qPrintable(words_on(box)));
 }
 
 void RecordingBoxTest::RecordingEndsWithThePlaying() {

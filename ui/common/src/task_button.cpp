@@ -64,7 +64,8 @@ TaskButton::TaskButton(EngineBridge& engine, const QString& text,
   connect(&engine_, &EngineBridge::finished, this, &TaskButton::show_outcome);
   connect(&engine_, &EngineBridge::case_changed, this,
           [this, number = engine_.snapshot()->case_number]() mutable {
-            if (std::exchange(number, engine_.snapshot()->case_number) == number) return;
+            const std::uint64_t former = std::exchange(number, engine_.snapshot()->case_number);
+            if (former == number) return;
             outcome_->hide();  // it was said of another case
             show_state();
           });

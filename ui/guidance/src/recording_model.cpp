@@ -20,6 +20,11 @@ RecordingModel::RecordingModel(OverlayWorker& worker, PlaybackModel& playback, C
   const auto end_with = [this](bool goes_on) {
     if (!goes_on) stop();
   };
+  connect(&playback, &PlaybackModel::case_read, this,
+          [this, &playback, of = playback.case_number()]() mutable {
+            const std::uint64_t former = std::exchange(of, playback.case_number());
+            if (former != of && !is_recording) say({}, {});  // it names files of another patient
+          });
   couplings_.add(playback.is_playing, end_with);
   couplings_.add(playback.is_tracking, end_with);
   connect(&worker_, &OverlayWorker::recording_left_out, this, [this](int pictures) {

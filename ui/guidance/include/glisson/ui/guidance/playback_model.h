@@ -33,6 +33,8 @@ class PlaybackModel : public QObject {
   void step() { feed_.step(); }
   void set_speed(double factor) { feed_.set_speed(factor); }
   const VideoFeed& feed() const { return feed_; }
+  /// Of the case whose video it is (engine::Snapshot).
+  std::uint64_t case_number() const { return engine_.snapshot()->case_number; }
 
   // For widgets to read.
   QProperty<bool> is_tracking;  ///< the engine follows frames
