@@ -226,6 +226,10 @@ void PointingTest::RegionIsClickedClosedDraggedAndTakenBack() {
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(200, 60));
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(300, 170));
   QTest::keyClick(&editor, Qt::Key_Backspace);
+  // A look at another step does not cost what was drawn so far.
+  window_->show_step(MainWindow::atlas);
+  window_->show_step(MainWindow::stereo);
+  QVERIFY(panel->stereo_view().drawing().unfinished() != nullptr);
   QCOMPARE(panel->stereo_view().drawing().unfinished()->polygon.size(), std::size_t{2});
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(180, 120));
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(100, 50));

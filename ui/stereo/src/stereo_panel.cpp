@@ -244,7 +244,10 @@ void StereoPanel::build_reconstruction() {
   box->addWidget(figures_);
 }
 
-void StereoPanel::deactivate() { choose(std::nullopt); }
+void StereoPanel::deactivate() {
+  // Whoever looks at another step in the middle of a line comes back to it.
+  if (view_->drawing().unfinished() == nullptr) choose(std::nullopt);
+}
 
 void StereoPanel::choose(const std::optional<RegionDrawing::Tool>& tool) {
   std::optional<RegionDrawing::Tool> sized = tool;
