@@ -68,21 +68,6 @@
     </message>
 </context>
 <context>
-    <name>Cli</name>
-    <message>
-        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
-        <translation>--review %1: STRUKTUR=ZUSTAND schreiben, etwa portal_vein=approved; Zustände sind not_started, in_progress, to_review, approved.</translation>
-    </message>
-    <message>
-        <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
-        <translation>--only %1: keine Struktur, die gesucht wird. Möglich sind liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, mit Kommas.</translation>
-    </message>
-    <message>
-        <source>--keep-edited, --replace-edited: give one of them.</source>
-        <translation>--keep-edited, --replace-edited: geben Sie eines davon an.</translation>
-    </message>
-</context>
-<context>
     <name>CloudFigures</name>
     <message>
         <source>Points</source>
@@ -7164,6 +7149,14 @@
         <translation>Beim Ersetzen wird gelöscht, was darin ist.</translation>
     </message>
     <message>
+        <source>In %1 there are already: %2.</source>
+        <translation>In %1 gibt es schon: %2.</translation>
+    </message>
+    <message>
+        <source>Replacing them deletes what they hold.</source>
+        <translation>Beim Ersetzen wird gelöscht, was darin ist.</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
@@ -9426,6 +9419,18 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
+        <translation>--review %1: STRUKTUR=ZUSTAND schreiben, etwa portal_vein=approved; Zustände sind not_started, in_progress, to_review, approved.</translation>
+    </message>
+    <message>
+        <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
+        <translation>--only %1: keine Struktur, die gesucht wird. Möglich sind liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, mit Kommas.</translation>
+    </message>
+    <message>
+        <source>--keep-edited, --replace-edited: give one of them.</source>
+        <translation>--keep-edited, --replace-edited: geben Sie eines davon an.</translation>
     </message>
 </context>
 <context>

@@ -68,21 +68,6 @@
     </message>
 </context>
 <context>
-    <name>Cli</name>
-    <message>
-        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
-        <translation>--review %1 : écrivez STRUCTURE=ÉTAT, par exemple portal_vein=approved ; les états sont not_started, in_progress, to_review, approved.</translation>
-    </message>
-    <message>
-        <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
-        <translation>--only %1 : ce n&apos;est pas une structure recherchée. Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder ou lesions, avec des virgules.</translation>
-    </message>
-    <message>
-        <source>--keep-edited, --replace-edited: give one of them.</source>
-        <translation>--keep-edited, --replace-edited : donnez l&apos;une des deux.</translation>
-    </message>
-</context>
-<context>
     <name>CloudFigures</name>
     <message>
         <source>Points</source>
@@ -7164,6 +7149,14 @@
         <translation>Le remplacer efface ce qu&apos;il contient.</translation>
     </message>
     <message>
+        <source>In %1 there are already: %2.</source>
+        <translation>%1 contient déjà : %2.</translation>
+    </message>
+    <message>
+        <source>Replacing them deletes what they hold.</source>
+        <translation>Les remplacer efface ce qu&apos;ils contiennent.</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>Remplacer</translation>
     </message>
@@ -9426,6 +9419,18 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
+        <translation>--review %1 : écrivez STRUCTURE=ÉTAT, par exemple portal_vein=approved ; les états sont not_started, in_progress, to_review, approved.</translation>
+    </message>
+    <message>
+        <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
+        <translation>--only %1 : ce n&apos;est pas une structure recherchée. Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder ou lesions, avec des virgules.</translation>
+    </message>
+    <message>
+        <source>--keep-edited, --replace-edited: give one of them.</source>
+        <translation>--keep-edited, --replace-edited : donnez l&apos;une des deux.</translation>
     </message>
 </context>
 <context>
