@@ -8697,8 +8697,8 @@
         <translation>Dies wurde abgebrochen: Was hier liegt, ist nicht alles.</translation>
     </message>
     <message>
-        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C cuts short is kept and marked INCOMPLETE.</source>
-        <translation>Verfolgt ein Stereovideo oder eine Reihe von Punktwolken ab einem registrierten Anfang. Jedes Bild wird verarbeitet; je Bild wird ein Netz geschrieben, nummeriert wie seine Eingabe, und eine Zeile von frames.jsonl mit Stufe, Grund und Lage. Was Strg-C abbricht, wird behalten und mit INCOMPLETE gekennzeichnet.</translation>
+        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C or an error cuts short is kept and marked INCOMPLETE.</source>
+        <translation>Verfolgt ein Stereovideo oder eine Reihe von Punktwolken ab einem registrierten Anfang. Jedes Bild wird verarbeitet; je Bild wird ein Netz geschrieben, nummeriert wie seine Eingabe, und eine Zeile von frames.jsonl mit Stufe, Grund und Lage. Was Strg-C oder ein Fehler abbricht, wird behalten und mit INCOMPLETE gekennzeichnet.</translation>
     </message>
     <message>
         <source>How clouds are followed: forces, springs, or automatic, each as in &apos;glisson register&apos;.</source>
@@ -9431,6 +9431,10 @@
     <message>
         <source>--keep-edited, --replace-edited: give one of them.</source>
         <translation>--keep-edited, --replace-edited: geben Sie eines davon an.</translation>
+    </message>
+    <message>
+        <source>%1 holds what was finished (%2), marked as incomplete.</source>
+        <translation>Was fertig war (%2), liegt in %1, als unvollständig gekennzeichnet.</translation>
     </message>
 </context>
 <context>

@@ -8697,8 +8697,8 @@
         <translation>Ceci a été interrompu : ce qui se trouve ici n’est pas tout.</translation>
     </message>
     <message>
-        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C cuts short is kept and marked INCOMPLETE.</source>
-        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée ; un maillage par image est écrit, numéroté comme son entrée, et une ligne de frames.jsonl avec le niveau, la raison et la pose. Ce que Ctrl-C interrompt est conservé et marqué INCOMPLETE.</translation>
+        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C or an error cuts short is kept and marked INCOMPLETE.</source>
+        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée ; un maillage par image est écrit, numéroté comme son entrée, et une ligne de frames.jsonl avec le niveau, la raison et la pose. Ce que Ctrl-C ou une erreur interrompt est conservé et marqué INCOMPLETE.</translation>
     </message>
     <message>
         <source>How clouds are followed: forces, springs, or automatic, each as in &apos;glisson register&apos;.</source>
@@ -9431,6 +9431,10 @@
     <message>
         <source>--keep-edited, --replace-edited: give one of them.</source>
         <translation>--keep-edited, --replace-edited : donnez l&apos;une des deux.</translation>
+    </message>
+    <message>
+        <source>%1 holds what was finished (%2), marked as incomplete.</source>
+        <translation>%1 contient ce qui était terminé (%2), marqué comme incomplet.</translation>
     </message>
 </context>
 <context>

@@ -136,10 +136,6 @@ int run_model(const QStringList& given) {
   build_model(arguments, session, options, codes);
   if (!edits.empty()) session.post(engine::EditTrees{edits});
   say_stiffness(arguments, session);
-  const PatientModel& model = session.state()[part::model]->model;
-  if (arguments.has("truth"))
-    session.figures.merge(experiments::surface_figures(
-        model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   save_case(arguments, session);
   // The model is safe by now, whatever comes of the rest.
   const bool whole = until_interrupted([&] {
@@ -151,6 +147,10 @@ int run_model(const QStringList& given) {
   });
   if (!whole)
     throw Interrupted(Cli::tr("cancelled; %1 holds what was done before.").arg(arguments.value("case")));
+  if (arguments.has("truth"))
+    session.figures.merge(
+        experiments::surface_figures(session.state()[part::model]->model.surface.mesh,
+                                     read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   session.finish();
   return 0;
 }

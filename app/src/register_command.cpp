@@ -180,11 +180,12 @@ int run_register(const QStringList& given) {
   bring_clouds(arguments, session, cloud, unit);
   say_stiffness(arguments, session);
   register_as_told(arguments, session, command_of(arguments, session, argument.unit), rival);
-  if (arguments.has("truth")) compare_with_truth(arguments, session, argument.unit);
   const Registration& registration = *session.state()[part::registration];
   const bool refused = registration::is_refused(registration);
   session.texts["registration_ended"] = registration::ending_code(registration);
   if (!refused) write_deformed(out, argument, session, registration);
+  // After the work is safe: a truth that cannot be compared does not take it along.
+  if (arguments.has("truth")) compare_with_truth(arguments, session, argument.unit);
   if (!report.empty())
     write_report(report, argument.path.filename().string() + ", " + cloud.filename().string(), session);
   session.finish();

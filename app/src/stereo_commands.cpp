@@ -273,10 +273,6 @@ void bring_pair(const Arguments& arguments, Session& session) {
 
 /// How far off the cloud is, where its truth is given, and where its points are dense enough.
 void tell_cloud(const Arguments& arguments, Session& session) {
-  if (arguments.has("truth"))
-    session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
-                                                     session.state()[part::rig]->left,
-                                                     arguments.path("truth"), arguments.unit("unit")));
   const stereo::DensityMap& density = session.state()[part::points]->density;
   session.figures["cloud_area_cm2"] = density.area_cm2;
   if (arguments.has("density"))
@@ -296,12 +292,16 @@ int run_reconstruct(const QStringList& given) {
   arguments.require_existing("truth");
   Session session(arguments);
   bring_pair(arguments, session);
+  // After the work is safe: a truth that cannot be compared does not take it along.
+  if (arguments.has("truth"))
+    session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
+                                                     session.state()[part::rig]->left,
+                                                     arguments.path("truth"), arguments.unit("unit")));
   engine::Reconstruct command;
   command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
   command.options.kind = features_of(arguments);
   session.post(command);
   tell_cloud(arguments, session);
-  write_cloud(out, *session.state()[part::cloud], arguments.unit("unit"));
   session.finish();
   return 0;
 }
@@ -309,12 +309,14 @@ int run_reconstruct(const QStringList& given) {
 namespace {
 
 QString fault_text(stereo::Fault fault) {
+  const LengthUnit unit = arguments.unit("unit");
   using stereo::Fault;
   switch (fault) {
     case Fault::black:
       return Cli::tr("both views are black");
     case Fault::left_lost:
       return Cli::tr("the left view shows nothing");
+  write_cloud(out, *session.state()[part::cloud], unit);
     case Fault::right_lost:
       return Cli::tr("the right view shows nothing");
     case Fault::one_view:

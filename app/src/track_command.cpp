@@ -253,7 +253,7 @@ int run_track(const QStringList& given) {
                       Cli::tr("Follows a stereo video, or a series of clouds, from a registered start. "
                               "Every frame is processed; one mesh a frame is written, numbered like its "
                               "input, and a line of frames.jsonl with the level, the reason and the pose. "
-                              "What Ctrl-C cuts short is kept and marked INCOMPLETE."));
+                              "What Ctrl-C or an error cuts short is kept and marked INCOMPLETE."));
   declare_track(arguments);
   if (!arguments.parse(given)) return 0;
   FrameTeller teller(arguments);
@@ -267,17 +267,9 @@ int run_track(const QStringList& given) {
   const std::shared_ptr<const model::BuiltModel> tracked = session.state()[part::model];
   experiments::TrackRecord record(tracked->model, *session.state()[part::registration],
                                   output_of(arguments, argument, session, out.path()));
-  const bool whole = until_interrupted([&] {
-    teller.begin(tracked, session.context());
-    if (arguments.has("clouds"))
-      follow_clouds(session, arguments, argument, clouds, record, teller);
-    else
-      follow_film(session, arguments, record, teller);
-  });
-  record.finish(whole);
-  session.tell(record.figures());
-  if (!clouds.empty()) session.tell({{"clouds_missing", missing(clouds)}});
-  if (whole || record.frames() > 0) {
+  const auto keep = [&](bool whole) {
+    record.finish(whole);
+    if (!whole && record.frames() == 0) return;
     experiments::remove_former_meshes(arguments.path("out"), out.path());
     out.commit(whole);
   }
@@ -285,5 +277,26 @@ int run_track(const QStringList& given) {
   if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));
   return 0;
 }
+  };
+  bool whole = false;
+  try {
+    whole = until_interrupted([&] {
+      teller.begin(tracked, session.context());
+      if (arguments.has("clouds"))
+        follow_clouds(session, arguments, argument, clouds, record, teller);
+      else
+        follow_film(session, arguments, record, teller);
+    });
+  } catch (const Error&) {
+    // A broken frame, or a truth that cannot be compared, does not take the others along.
+    keep(false);
+    if (record.frames() > 0)
+      say(Cli::tr("%1 holds what was finished (%2), marked as incomplete.")
+              .arg(arguments.value("out"))
+              .arg(record.frames()));
+    throw;
 
+  keep(whole);
+  session.tell(record.figures());
+  if (!clouds.empty()) session.tell({{"clouds_missing", missing(clouds)}});
 }  // namespace glisson::app

@@ -39,6 +39,7 @@ class TheatreCommandsTest : public QObject, private test::Program {
   void ARefusedRegistrationWritesNothingUnlessItIsAccepted();
   void ASurfaceComesBackAsThatSurface();
   void TrackWritesOneMeshACloud();
+  void ATruthThatCannotBeComparedTakesNothingAlong();
   void SimulateWritesItsSteps();
   void StiffnessTravelsWithTheCaseAndIsSaidAnew();
 };
@@ -252,6 +253,43 @@ void TheatreCommandsTest::TrackWritesOneMeshACloud() {
   QVERIFY2(std::abs(json["displacement_mean_mm"].toDouble() - moved) < 0.5 * moved,
            qPrintable(QString::number(json["displacement_mean_mm"].toDouble())));
   QVERIFY(json["tre_volume_mean_mm"].toDouble() < json["tre_frozen_mean_mm"].toDouble());
+}
+
+/// It is read after everything else, as the help says.
+void TheatreCommandsTest::ATruthThatCannotBeComparedTakesNothingAlong() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  const auto put_cloud = [&](const char* name, double bend) {
+    TriangleMesh surface = boundary_surface(mesh).mesh;
+    surface.vertices = bent(surface.vertices, bend);
+    LabelledCloud cloud;
+    cloud.points = sample_surface(surface, 900, 4);
+    write_cloud(at(name), cloud);
+  };
+  put_cloud("cloud_01.ply", 0.002);
+  put_cloud("cloud_02.ply", 0.004);
+  write_node_list(at("truth_01.xyz"), bent(mesh.vertices, 0.002), LengthUnit::millimetre);
+  write_text(at("truth_02.xyz"), "1 2\n");
+  const Ran registered = run({"register", "--model", "m.vtu", "--cloud", "cloud_01.ply", "--rigid", "none",
+                              "--homogeneous", "--truth", "truth_02.xyz", "--out", "r.vtu"});
+  QCOMPARE(registered.code, 1);
+  QVERIFY2(registered.error.contains("truth_02.xyz"), qPrintable(registered.error));
+  QVERIFY(fs::exists(at("r.vtu")));
+
+  const Ran tracked = run({"track", "--model", "m.vtu", "--start", "m.vtu", "--clouds", "cloud_%02d.ply",
+                           "--homogeneous", "--truth", "truth_%02d.xyz", "--out", "tracked"});
+  QCOMPARE(tracked.code, 1);
+  QVERIFY2(tracked.error.contains("truth_02.xyz"), qPrintable(tracked.error));
+  QVERIFY(fs::exists(at("tracked/registered_01.vtu")) && fs::exists(at("tracked/INCOMPLETE")));
+  QVERIFY2(tracked.out.contains("marked as incomplete"), qPrintable(tracked.out));
+
+  write_triangle_mesh(at("liver.stl"), boundary_surface(mesh).mesh, LengthUnit::millimetre);
+  write_text(at("broken.stl"), "solid\n");
+  const Ran built = run({"model", "--surfaces", "liver.stl", "--vertices", "150", "--case", "a.glisson",
+                         "--truth", "broken.stl"});
+  QCOMPARE(built.code, 1);
+  QVERIFY2(built.error.contains("broken.stl"), qPrintable(built.error));
+  QVERIFY(fs::exists(at("a.glisson/case.json")));
 }
 
 void TheatreCommandsTest::SimulateWritesItsSteps() {
