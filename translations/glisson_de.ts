@@ -9433,6 +9433,14 @@
         <translation>--keep-edited, --replace-edited: geben Sie eines davon an.</translation>
     </message>
     <message>
+        <source>--%1: means nothing with %2. Leave it out.</source>
+        <translation>--%1: bedeutet bei %2 nichts. Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>--%1: means nothing without --%2. Leave it out.</source>
+        <translation>--%1: bedeutet ohne --%2 nichts. Lassen Sie es weg.</translation>
+    </message>
+    <message>
         <source>%1 holds what was finished (%2), marked as incomplete.</source>
         <translation>Was fertig war (%2), liegt in %1, als unvollständig gekennzeichnet.</translation>
     </message>

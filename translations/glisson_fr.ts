@@ -9433,6 +9433,14 @@
         <translation>--keep-edited, --replace-edited : donnez l&apos;une des deux.</translation>
     </message>
     <message>
+        <source>--%1: means nothing with %2. Leave it out.</source>
+        <translation>--%1 : ne signifie rien avec %2. Omettez-la.</translation>
+    </message>
+    <message>
+        <source>--%1: means nothing without --%2. Leave it out.</source>
+        <translation>--%1 : ne signifie rien sans --%2. Omettez-la.</translation>
+    </message>
+    <message>
         <source>%1 holds what was finished (%2), marked as incomplete.</source>
         <translation>%1 contient ce qui était terminé (%2), marqué comme incomplet.</translation>
     </message>

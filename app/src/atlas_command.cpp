@@ -149,9 +149,31 @@ void transfer_atlas(const Arguments& arguments, Session& session) {
 struct Action {
   const char* name;
   void (*run)(const Arguments&, Session&);
+  bool takes_cases;  ///< else it is of one case or of none, and makes no atlas
+  std::vector<const char*> idle;
 };
-constexpr Action kActions[] = {
-    {"build", build_atlas}, {"transfer", transfer_atlas}, {"evaluate", evaluate_atlas}, {"show", show_atlas}};
+const std::vector<Action>& actions() {
+  static const std::vector<Action> kActions = {
+      {"build", build_atlas, true, {"case", "accept"}},
+      {"transfer", transfer_atlas, false, {"out", "name"}},
+      {"evaluate", evaluate_atlas, true, {"case", "accept", "out", "name"}},
+      {"show", show_atlas, false, {"out", "name", "accept"}}};
+  return kActions;
+}
+
+/// What would be left unread without a word.
+void refuse_idle_options(const Arguments& arguments, const Action& action) {
+  QStringList idle(action.idle.begin(), action.idle.end());
+  if (!action.takes_cases) {
+    idle << "synthetic"
+         << "added-deviation"
+         << "added-unusual"
+         << "unapproved"
+         << "fresh";
+    (void)arguments.positionals(1, 1);
+  }
+  arguments.refuse_idle(QStringLiteral("glisson atlas ") + QLatin1String(action.name), idle);
+}
 
 }  // namespace
 
@@ -186,10 +208,11 @@ int run_atlas(const QStringList& given) {
   arguments.flag("fresh", Cli::tr("Begin with the synthetic template instead of an atlas."));
   if (!arguments.parse(given)) return 0;
   const QString name = arguments.positionals(1, 10000).front();
-  const auto action = std::find_if(std::begin(kActions), std::end(kActions),
+  const auto action = std::find_if(actions().begin(), actions().end(),
                                    [&](const Action& one) { return name == QLatin1String(one.name); });
-  if (action == std::end(kActions))
+  if (action == actions().end())
     throw UsageError(Cli::tr("%1: is no action. See 'glisson atlas --help'.").arg(name).toStdString());
+  refuse_idle_options(arguments, *action);
   Session session(arguments);
   action->run(arguments, session);
   session.finish();

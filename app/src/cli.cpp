@@ -259,6 +259,20 @@ void Arguments::refuse_shared_place(const QString& name) const {
     if (is_same_place(path(name), given.toStdString())) refuse(given);
 }
 
+void Arguments::refuse_idle(const QString& beside, const QStringList& idle) const {
+  for (const QString& name : idle)
+    if (has(name))
+      throw UsageError(Cli::tr("--%1: means nothing with %2. Leave it out.").arg(name, beside).toStdString());
+}
+
+void Arguments::refuse_without(const QString& needed, const QStringList& idle) const {
+  if (has(needed)) return;
+  for (const QString& name : idle)
+    if (has(name))
+      throw UsageError(
+          Cli::tr("--%1: means nothing without --%2. Leave it out.").arg(name, needed).toStdString());
+}
+
 void Arguments::require_existing(const QString& name) const {
   if (has(name) && !fs::exists(path(name)))
     throw FileError(path(name).string() + ": does not exist. Check --" + name.toStdString() + ".");

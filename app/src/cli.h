@@ -78,6 +78,11 @@ class Arguments {
   /// Nothing else that the person named lies there.
   /// @param endings of the formats that can be written; empty: any.
   std::filesystem::path output_file(const QString& name, const QStringList& endings = {}) const;
+  /// @param beside what makes options idle, in the person's language: "--clouds".
+  /// @throws UsageError one of them is given: it would be left unread without a word.
+  void refuse_idle(const QString& beside, const QStringList& idle) const;
+  /// The same of what means something beside another option only, which is not given.
+  void refuse_without(const QString& needed, const QStringList& idle) const;
   /// A file that is read at the end, when there is such an option. @throws FileError when it does not exist.
   void require_existing(const QString& name) const;
   /// @throws UsageError when it is not a number, or outside [low, high].

@@ -110,6 +110,10 @@ int run_figure(const QStringList& given) {
   if (number != "5" && number != "6")
     throw UsageError(
         Cli::tr("NUMBER: is %1. Give 5 or 6: no other figure is measured.").arg(number).toStdString());
+  if (number == "5")
+    arguments.refuse_idle(QStringLiteral("glisson figure 5"), {"case", "flank"});
+  else
+    arguments.refuse_idle(QStringLiteral("glisson figure 6"), {"data"});
   OutputFolder folder(arguments.path("out"));
   Session session(arguments);
   experiments::PaperFigure figure =

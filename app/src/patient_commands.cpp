@@ -247,7 +247,10 @@ int run_import(const QStringList& given) {
                                     "takes the former one's place; all else stays, marked out of date."));
   if (!arguments.parse(given)) return 0;
   const QString input = arguments.positionals(1, 1).front();
-  if (arguments.has("list")) return tell_series(arguments, input.toStdString());
+  if (arguments.has("list")) {
+    arguments.refuse_idle(QStringLiteral("--list"), {"case", "series", "modality", "replace"});
+    return tell_series(arguments, input.toStdString());
+  }
   const fs::path folder = arguments.required_path("case");
   const auto modality = modality_from(arguments.value("modality"));
   Session session(arguments);

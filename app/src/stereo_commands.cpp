@@ -190,6 +190,19 @@ void declare_calibrate(Arguments& arguments) {
   arguments.option("out", Cli::tr("The calibration (OpenCV YAML, mm)."), "C.yaml");
 }
 
+/// What would be left unread without a word.
+void refuse_idle_options(const Arguments& arguments) {
+  if (arguments.has("text")) {
+    arguments.refuse_idle(QStringLiteral("--text"),
+                          {"pairs", "left", "right", "video", "video-right", "board", "square-mm", "charuco",
+                           "marker-mm", "most-views", "reference", "drop-outliers", "k3", "coverage"});
+    return;
+  }
+  arguments.refuse_without("text", {"size", "unit"});
+  arguments.refuse_without("video", {"video-right"});
+  arguments.refuse_without("charuco", {"marker-mm"});
+}
+
 }  // namespace
 
 int run_calibrate(const QStringList& given) {
@@ -201,6 +214,7 @@ int run_calibrate(const QStringList& given) {
   const fs::path out = arguments.output_file("out", {".yaml", ".yml"});
   if (arguments.has("coverage")) arguments.output_file("coverage", {".png", ".jpg", ".bmp"});
   arguments.require_existing("reference");
+  refuse_idle_options(arguments);
   if (arguments.has("text")) return convert(arguments, out);
   Session session(arguments);
   for (const char* name : {"board", "left and right pictures"}) session.call(name, pictures_of(arguments));
@@ -278,6 +292,11 @@ void tell_cloud(const Arguments& arguments, Session& session) {
   if (arguments.has("density"))
     stereo::write_picture(arguments.path("density"),
                           stereo::density_picture(density, session.state()[part::frame]->frame.left));
+  // After the work is safe: a truth that cannot be compared does not take it along.
+  if (arguments.has("truth"))
+    session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
+                                                     session.state()[part::rig]->left,
+                                                     arguments.path("truth"), arguments.unit("unit")));
 }
 
 }  // namespace
@@ -289,18 +308,16 @@ int run_reconstruct(const QStringList& given) {
   if (!arguments.parse(given)) return 0;
   const fs::path out = arguments.output_file("out", {".ply"});
   if (arguments.has("density")) arguments.output_file("density", {".png", ".jpg", ".bmp"});
+  if (arguments.has("dense")) arguments.refuse_idle(QStringLiteral("--dense"), {"method"});
   arguments.require_existing("truth");
+  const LengthUnit unit = arguments.unit("unit");
   Session session(arguments);
   bring_pair(arguments, session);
-  // After the work is safe: a truth that cannot be compared does not take it along.
-  if (arguments.has("truth"))
-    session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
-                                                     session.state()[part::rig]->left,
-                                                     arguments.path("truth"), arguments.unit("unit")));
   engine::Reconstruct command;
   command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
   command.options.kind = features_of(arguments);
   session.post(command);
+  write_cloud(out, *session.state()[part::cloud], unit);
   tell_cloud(arguments, session);
   session.finish();
   return 0;
@@ -309,14 +326,12 @@ int run_reconstruct(const QStringList& given) {
 namespace {
 
 QString fault_text(stereo::Fault fault) {
-  const LengthUnit unit = arguments.unit("unit");
   using stereo::Fault;
   switch (fault) {
     case Fault::black:
       return Cli::tr("both views are black");
     case Fault::left_lost:
       return Cli::tr("the left view shows nothing");
-  write_cloud(out, *session.state()[part::cloud], unit);
     case Fault::right_lost:
       return Cli::tr("the right view shows nothing");
     case Fault::one_view:

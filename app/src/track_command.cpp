@@ -175,6 +175,11 @@ void require_source(const Arguments& arguments) {
     throw UsageError("--register-again: needs pictures. Give --video with --calibration.");
   if (arguments.has("mask-network") && !arguments.has("video"))
     throw UsageError("--mask-network: needs pictures. Give --video with --calibration.");
+  if (arguments.has("clouds"))
+    arguments.refuse_idle(QStringLiteral("--clouds"), {"video-right", "calibration", "mask", "mask-every"});
+  else
+    arguments.refuse_idle(QStringLiteral("--video"), {"cloud-unit", "cloud-steps", "method"});
+  arguments.refuse_without("mask-network", {"mask-every"});
   arguments.require_existing("correct");
 }
 
@@ -272,11 +277,6 @@ int run_track(const QStringList& given) {
     if (!whole && record.frames() == 0) return;
     experiments::remove_former_meshes(arguments.path("out"), out.path());
     out.commit(whole);
-  }
-  session.finish();
-  if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));
-  return 0;
-}
   };
   bool whole = false;
   try {
@@ -295,8 +295,13 @@ int run_track(const QStringList& given) {
               .arg(arguments.value("out"))
               .arg(record.frames()));
     throw;
-
+  }
   keep(whole);
   session.tell(record.figures());
   if (!clouds.empty()) session.tell({{"clouds_missing", missing(clouds)}});
+  session.finish();
+  if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));
+  return 0;
+}
+
 }  // namespace glisson::app

@@ -26,11 +26,41 @@ class CommandsTest : public QObject, private test::Program {
   void WrongUsageIsToldInThePersonsLanguage();
   void NumbersInFilesAreTheSameInEveryLanguage();
   void WrongUsageIsRefusedWithCodeTwo();
+  void WhatWouldBeLeftUnreadIsRefused();
   void MissingInputIsNamed();
   void APlaceThatCannotBeWrittenIsRefusedBeforeTheWork();
   void AnEmptyFolderIsRefused();
   void WhatIsReadOrWrittenTwiceIsNotWrittenOver();
 };
+
+/// A run that takes no notice of an option looks like one that does.
+void CommandsTest::WhatWouldBeLeftUnreadIsRefused() {
+  const auto idle = [this](const QStringList& command, const char* option) {
+    refused(command, QString("--") + option + ": means nothing", 2);
+  };
+  idle({"calibrate", "--text", "t", "--size", "640x480", "--out", "c.yaml", "--coverage", "c.png"},
+       "coverage");
+  idle({"calibrate", "--pairs", "p", "--unit", "cm", "--out", "c.yaml"}, "unit");
+  idle({"calibrate", "--pairs", "p", "--marker-mm", "2", "--out", "c.yaml"}, "marker-mm");
+  idle({"track", "--model", "m.vtu", "--start", "m.vtu", "--out", "t", "--clouds", "c_%02d.ply", "--mask",
+        "m.png"},
+       "mask");
+  idle({"track", "--model", "m.vtu", "--start", "m.vtu", "--out", "t", "--video", "v.mkv", "--method",
+        "springs"},
+       "method");
+  idle({"track", "--model", "m.vtu", "--start", "m.vtu", "--out", "t", "--video", "v.mkv", "--mask-every",
+        "2"},
+       "mask-every");
+  idle({"atlas", "transfer", "--case", "a.glisson", "--out", "b"}, "out");
+  idle({"atlas", "evaluate", "a.glisson", "--out", "b"}, "out");
+  idle({"atlas", "build", "a.glisson", "--out", "b", "--accept", "vena_cava"}, "accept");
+  idle({"figure", "5", "--case", "a.glisson", "--out", "f"}, "case");
+  idle({"import", "ct", "--list", "--case", "a.glisson"}, "case");
+  idle({"reconstruct", "--left", "l.png", "--right", "r.png", "--calibration", "c.yaml", "--out", "c.ply",
+        "--dense", "--method", "sparse"},
+       "method");
+  refused({"atlas", "transfer", "a.glisson", "--case", "b.glisson"}, "2 arguments were given", 2);
+}
 
 /// Under another spelling of the path, and through a link, too.
 void CommandsTest::WhatIsReadOrWrittenTwiceIsNotWrittenOver() {
