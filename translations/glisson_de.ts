@@ -8897,8 +8897,8 @@
         <translation>Das Ergebnis schreiben, auch wenn es verworfen wird; seine Zweifel bleiben dabei. Ohne dies schreibt eine verworfene Registrierung keine Datei, und der Rückgabewert ist 3.</translation>
     </message>
     <message>
-        <source>The registration was refused: what is known contradicts it (see the notes above). Nothing was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
-        <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr (siehe die Hinweise oben). Nichts wurde geschrieben. Geben Sie eine Wolke, die mehr von der Leber dieses Patienten mit weniger Rauschen zeigt, markieren Sie Rand und Kerbe oder beginnen Sie mit --rigid FILE; --accept-doubts schreibt sie dennoch.</translation>
+        <source>The registration was refused: what is known contradicts it (see the notes above). No mesh was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
+        <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr (siehe die Hinweise oben). Es wurde kein Netz geschrieben. Geben Sie eine Wolke, die mehr von der Leber dieses Patienten mit weniger Rauschen zeigt, markieren Sie Rand und Kerbe oder beginnen Sie mit --rigid FILE; --accept-doubts schreibt sie dennoch.</translation>
     </message>
     <message>
         <source>--lock %1: is no label. Use parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder or lesion_1, lesion_2, ..., with commas.</source>
@@ -9439,6 +9439,10 @@
     <message>
         <source>--%1: means nothing without --%2. Leave it out.</source>
         <translation>--%1: bedeutet ohne --%2 nichts. Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>--lesion %1: is not in this model. Its lesions: %2.</source>
+        <translation>--lesion %1: gibt es in diesem Modell nicht. Seine Läsionen: %2.</translation>
     </message>
     <message>
         <source>%1 holds what was finished (%2), marked as incomplete.</source>

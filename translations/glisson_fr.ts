@@ -8897,8 +8897,8 @@
         <translation>Écrire le résultat même s&apos;il est refusé ; ses doutes restent avec lui. Sinon un recalage refusé n&apos;écrit aucun fichier et le code de sortie est 3.</translation>
     </message>
     <message>
-        <source>The registration was refused: what is known contradicts it (see the notes above). Nothing was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
-        <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit (voir les notes ci-dessus). Rien n&apos;a été écrit. Donnez un nuage qui montre davantage du foie de ce patient avec moins de bruit, marquez le bord et l&apos;encoche, ou partez de --rigid FILE ; --accept-doubts l&apos;écrit malgré tout.</translation>
+        <source>The registration was refused: what is known contradicts it (see the notes above). No mesh was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
+        <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit (voir les notes ci-dessus). Aucun maillage n&apos;a été écrit. Donnez un nuage qui montre davantage du foie de ce patient avec moins de bruit, marquez le bord et l&apos;encoche, ou partez de --rigid FILE ; --accept-doubts l&apos;écrit malgré tout.</translation>
     </message>
     <message>
         <source>--lock %1: is no label. Use parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder or lesion_1, lesion_2, ..., with commas.</source>
@@ -9439,6 +9439,10 @@
     <message>
         <source>--%1: means nothing without --%2. Leave it out.</source>
         <translation>--%1 : ne signifie rien sans --%2. Omettez-la.</translation>
+    </message>
+    <message>
+        <source>--lesion %1: is not in this model. Its lesions: %2.</source>
+        <translation>--lesion %1 : n&apos;existe pas dans ce modèle. Ses lésions : %2.</translation>
     </message>
     <message>
         <source>%1 holds what was finished (%2), marked as incomplete.</source>

@@ -191,7 +191,7 @@ int run_register(const QStringList& given) {
   session.finish();
   if (!refused) return kDone;
   say(Cli::tr(
-      "The registration was refused: what is known contradicts it (see the notes above). Nothing was "
+      "The registration was refused: what is known contradicts it (see the notes above). No mesh was "
       "written. Give a cloud that shows more of this patient's liver with less noise, mark margin and "
       "notch, or start from --rigid FILE; --accept-doubts writes it nevertheless."));
   return kRefused;

@@ -12,6 +12,7 @@
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/scene/model_surfaces.h"
 #include "glisson/ui/scene/montage.h"
 #include "live_overlay.h"
 
@@ -34,6 +35,20 @@ Eigen::Vector2d pixel_named(const QString& text) {
   if (!is_u || !is_v || !pixel.allFinite())
     throw UsageError("--mark " + text.toStdString() + ": is no pixel. Give two numbers, as 480,270.");
   return pixel;
+}
+
+/// @throws UsageError the model has no such lesion: a picture without numbers would be all that says so.
+void require_lesion(Label lesion, const engine::CaseState& state) {
+  if (lesion == 0 || !state[part::model]) return;
+  QStringList lesions;
+  for (const Label label : scene::inner_structures(state[part::model]->model)) {
+    if (label == lesion) return;
+    if (is_lesion(label)) lesions << QString::fromStdString(structure_name(label));
+  }
+  throw UsageError(Cli::tr("--lesion %1: is not in this model. Its lesions: %2.")
+                       .arg(QString::fromStdString(structure_name(lesion)),
+                            lesions.isEmpty() ? QStringLiteral("–") : lesions.join(QStringLiteral(", ")))
+                       .toStdString());
 }
 
 constexpr const char* kAllLooks = "all";  ///< side by side, for `render`
@@ -176,6 +191,7 @@ int run_render(const QStringList& given) {
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
+  require_lesion(question.lesion, session.state());
   Picture picture;
   const Replayed replayed(arguments, session);
   show_video(session, replayed, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
@@ -226,6 +242,7 @@ int run_overlay(const QStringList& given) {
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
+  require_lesion(interest.lesion, session.state());
   const Replayed replayed(arguments, session);
   if (!arguments.has("recording")) session.need({part::video});
   for (const std::filesystem::path& read : {replayed.video.left, replayed.video.right})

@@ -51,6 +51,7 @@ class TrackReplayTest : public QObject, private test::Program {
   void RenderDrawsWhatTheTrackKnew_data();
   void RenderDrawsWhatTheTrackKnew();
   void OverlayDrawsTheWholeFilmAgain();
+  void ALesionThatTheModelLacksIsRefused();
   void ATrackOfAnotherModelIsRefused();
   void ATrackOfAnotherVideoIsRefused();
   void WhatIsNoTrackIsRefused();
@@ -204,6 +205,17 @@ void TrackReplayTest::OverlayDrawsTheWholeFilmAgain() {
     QVERIFY2(*a.left.bytes == *b.left.bytes && *a.right.bytes == *b.right.bytes,
              qPrintable(QString("frame %1").arg(count)));
   QCOMPARE(count, kFrames);
+}
+
+void TrackReplayTest::ALesionThatTheModelLacksIsRefused() {
+  const QStringList told{"--case", "a.glisson", "--track", "tracked", "--lesion"};
+  refused(QStringList{"render"} + told + QStringList{"lesion_7", "--frame", "0", "--out", "q.png"},
+          "Its lesions: lesion_1", 2);
+  refused(QStringList{"overlay"} + told + QStringList{"lesion_7", "--out", "q.mkv"}, "Its lesions: lesion_1",
+          2);
+  const Ran ran =
+      run(QStringList{"render"} + told + QStringList{"lesion_1", "--frame", "0", "--out", "l.png"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
 }
 
 void TrackReplayTest::ATrackOfAnotherModelIsRefused() {
