@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the CT to the model: import, segment.
+#include <cmath>
 #include <memory>
 
 #include "case_argument.h"
@@ -66,7 +67,10 @@ std::optional<Eigen::AlignedBox3d> region_from(const QString& text) {
   std::array<double, 6> mm{};
   const QStringList parts = text.split(',');
   bool good = parts.size() == 6;
-  for (int n = 0; good && n < 6; ++n) mm[static_cast<std::size_t>(n)] = parts[n].toDouble(&good);
+  for (int n = 0; good && n < 6; ++n) {
+    mm[static_cast<std::size_t>(n)] = parts[n].toDouble(&good);
+    good = good && std::isfinite(mm[static_cast<std::size_t>(n)]);  // "nan" is a number to Qt
+  }
   if (!good)
     throw UsageError(Cli::tr("--region %1: write two opposite corners, X0,Y0,Z0,X1,Y1,Z1 in LPS millimetres.")
                          .arg(text)

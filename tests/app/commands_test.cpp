@@ -138,6 +138,8 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"demo", "--distance", "12"}, "from 80 to 160", 2);
   refused({"demo", "--headless", "headles"}, "headles: is no option", 2);
   refused({"segment", "--case", "a.glisson", "--seeds", "s.json", "--labels-out", "l.txt"}, ".nrrd", 2);
+  refused({"segment", "--case", "a.glisson", "--seeds", "s.json", "--region", "nan,0,0,9,9,9"}, "--region",
+          2);
   refused({"model", "--case", "a.glisson", "--mesh-out", "m.stl"}, "must end in .vtu", 2);
   refused({"model", "--case", "a.glisson", "--edge", "0.5"}, "--edge", 2);
   refused({"model", "--case", "a.glisson", "--vessel-refinement", "2"}, "--vessel-refinement", 2);
