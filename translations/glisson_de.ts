@@ -11923,6 +11923,10 @@
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Sucht die Leber ohne einen Klick: Saatpunkte, die Sie löschen oder ergänzen können.</translation>
     </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückholen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::SegmentationPanel</name>

@@ -11923,6 +11923,10 @@
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Cherche le foie sans un clic : des germes que vous pouvez supprimer ou compléter.</translation>
     </message>
+    <message>
+        <source>Put back</source>
+        <translation>Remettre</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::SegmentationPanel</name>

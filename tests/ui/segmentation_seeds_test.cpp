@@ -25,6 +25,7 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void cleanup() { window_.reset(); }
   void PaintedLesionIsNotTheOneThatIsClickedNext();
   void ButtonsKeepTheirPlaceHoweverManyLesionsThereAre();
+  void ClearedSeedsArePutBack();
   void ADragAcrossALesionTellsItsDiameter();
   void AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced();
   void BoxDrawnInSlicesIsWhereGrowthWorks();
@@ -95,6 +96,31 @@ void SegmentationSeedsTest::ButtonsKeepTheirPlaceHoweverManyLesionsThereAre() {
   QVERIFY(next != nullptr);
   panel().choose_structure(static_cast<Label>(structure::kFirstLesion + 8));
   QCOMPARE(next->visibleRegion().boundingRect(), next->rect());
+}
+
+/// The button stands beside others, and a dozen clicks are soon gone.
+void SegmentationSeedsTest::ClearedSeedsArePutBack() {
+  open_ct();
+  seed_liver();
+  const auto seeds = [&] { return window_->engine().state()[part::seeds]; };
+  const Points liver = seeds()->liver;
+  press("clear_seeds");
+  QVERIFY(settle());
+  QCOMPARE(seeds()->liver.rows(), Eigen::Index{0});
+  QCOMPARE(find<QPushButton>("clear_seeds")->text(), QStringLiteral("Put back"));
+  press("clear_seeds");
+  QVERIFY(settle());
+  QVERIFY(seeds()->liver == liver);
+  QCOMPARE(find<QPushButton>("clear_seeds")->text(), QStringLiteral("Clear"));
+  // With a new seed there is nothing to go back to.
+  press("clear_seeds");
+  QVERIFY(settle());
+  press("seed_parenchyma");
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(0.0, 0.02, 0)).toPoint());
+  QVERIFY(settle());
+  QCOMPARE(find<QPushButton>("clear_seeds")->text(), QStringLiteral("Clear"));
+  QCOMPARE(seeds()->liver.rows(), Eigen::Index{1});
 }
 
 void SegmentationSeedsTest::ADragAcrossALesionTellsItsDiameter() {

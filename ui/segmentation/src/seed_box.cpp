@@ -13,6 +13,7 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/propose_seeds.h"
@@ -156,6 +157,7 @@ void SeedBox::build_seed_list() {
   remove_ = new QPushButton(tr("Delete"), this);
   remove_->setObjectName(QStringLiteral("delete_seeds"));
   clear_ = new QPushButton(tr("Clear"), this);
+  clear_->setObjectName(QStringLiteral("clear_seeds"));
   load_ = new QPushButton(tr("Load…"), this);
   save_ = new QPushButton(tr("Save…"), this);
   int cell = 0;
@@ -177,10 +179,7 @@ void SeedBox::connect_seed_list() {
     if (row_number >= 0 && row_number < static_cast<int>(entries_.size()))
       views_.set_crosshair(Point<CtFrame>(entries_[static_cast<std::size_t>(row_number)].p_in_ct));
   });
-  connect(clear_, &QPushButton::clicked, this, [this] {
-    seeds_ = {};
-    store();
-  });
+  connect(clear_, &QPushButton::clicked, this, &SeedBox::clear_or_put_back);
   connect(load_, &QPushButton::clicked, this, &SeedBox::load_seeds);
   connect(save_, &QPushButton::clicked, this, &SeedBox::save_seeds);
 }
@@ -351,6 +350,15 @@ void SeedBox::remove_selected() {
   if (!gone.empty()) store();
 }
 
+bool SeedBox::puts_back() const { return entries_.empty() && !list_seeds(cleared_).empty(); }
+
+void SeedBox::clear_or_put_back() {
+  const bool back = puts_back();
+  std::swap(seeds_, cleared_);
+  if (!back) seeds_ = {};  // what was cleared before is gone
+  store();
+}
+
 void SeedBox::store() {
   storing_.insert(engine_.post(engine::SetSeeds{seeds_}));
   show_seeds();
@@ -360,6 +368,7 @@ void SeedBox::show_case() {
   if (engine_.state()[part::image] != image_) {
     image_ = engine_.state()[part::image];
     known_lesions_.clear();
+    cleared_ = {};
     drawn_from_.reset();
     notes_->hide();  // they were said of the former one
   }
@@ -377,6 +386,7 @@ void SeedBox::take_seeds() {
 
 void SeedBox::show_seeds() {
   entries_ = list_seeds(seeds_);
+  if (!entries_.empty()) cleared_ = {};
   for (const SeedEntry& entry : entries_)
     if (is_lesion(entry.structure)) known_lesions_.insert(entry.structure);
   const int chosen = list_->currentRow();
@@ -448,7 +458,9 @@ void SeedBox::show_buttons() {
   lesions_->setVerticalScrollBarPolicy(bar ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
   lesion_grid_->setContentsMargins(0, 0, bar ? 0 : lesions_->verticalScrollBar()->sizeHint().width(), 0);
   remove_->setEnabled(!list_->selectedItems().isEmpty());
-  for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
+  save_->setEnabled(!entries_.empty());
+  clear_->setEnabled(!entries_.empty() || puts_back());
+  clear_->setText(puts_back() ? tr("Put back") : tr("Clear"));
   run_->set_obstacle(obstacle());
 }
 

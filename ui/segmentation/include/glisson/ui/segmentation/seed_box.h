@@ -68,6 +68,9 @@ class SeedBox : public QWidget {
   void draw_lesion(const SliceGesture& gesture);
   void store();
   void remove_selected();
+  /// Takes all away; at once again puts them back.
+  void clear_or_put_back();
+  bool puts_back() const;
   segmentation::SegmentationOptions options() const;
   segmentation::Structures structures() const;
   QString obstacle() const;
@@ -77,6 +80,7 @@ class SeedBox : public QWidget {
   EngineBridge& engine_;
   ViewState& views_;
   segmentation::Seeds seeds_;
+  segmentation::Seeds cleared_;  ///< until there are others
   std::shared_ptr<const segmentation::Seeds> taken_;
   std::set<engine::CommandId> storing_;
   std::shared_ptr<const Image> image_;
