@@ -73,8 +73,10 @@ void DicomPixelsTest::BytesPutInAmongThePixelsAreRefused() {
     longer.insert(longer.size() - 30, std::string(more, '\x55'));
     write_file_atomically(victim, longer);
     const QString told = refusal_of(folder.path());
-    QVERIFY2(told.contains("2, PixelData (7fe0|0010): is followed by no element"),
-             qPrintable(QString::number(more) + ": " + told));
+    QVERIFY2(!told.isEmpty(), qPrintable(QString::number(more)));
+    // What is long enough to be taken for an element may end GDCM, in its own process.
+    const bool is_ours = told.contains("2, PixelData (7fe0|0010): is followed by no element");
+    QVERIFY2(is_ours || (more > 2 && told.contains("broke down")), qPrintable(told));
   }
   // What may follow: the padding of a medium, and elements of a higher tag.
   const std::string padding("\xFC\xFF\xFC\xFFOB\0\0\x04\0\0\0abcd", 16);
