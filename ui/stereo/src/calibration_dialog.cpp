@@ -65,10 +65,7 @@ CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QD
     connect(length, &QDoubleSpinBox::valueChanged, this, &CalibrationDialog::change_request);
   connect(results_, &CalibrationResults::ticks_changed, this, &CalibrationDialog::show_state);
   for (TaskButton* task : {run_, again_})
-    connect(task, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
-      hold_request(false);
-      show_outcome(outcome);
-    });
+    connect(task, &TaskButton::done, this, &CalibrationDialog::show_outcome);
   show_state();
 }
 
@@ -122,21 +119,14 @@ QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
   square_ = add_length(tr("Side of a square"), usual.square / kMillimetre, QStringLiteral("board_square"));
   marker_ =
       add_length(tr("Side of a marker"), 0.75 * usual.square / kMillimetre, QStringLiteral("board_marker"));
-  asked_ = {folder_, choose, kind_, columns_, rows_, square_, marker_};
   run_ = new TaskButton(
-      engine, tr("Calibrate"),
-      [this] {
-        hold_request(true);
-        return engine::Command(command());
-      },
-      this);
+      engine, tr("Calibrate"), [this] { return engine::Command(command()); }, this);
   run_->setObjectName(QStringLiteral("calibrate"));
   run_->setFixedWidth(kFormWidth);
   form->addRow(run_);
   again_ = new TaskButton(
       engine, tr("Calibrate with the views ticked"),
       [this] {
-        hold_request(true);
         engine::CalibrateRig again = command();
         again.found = results_->sheet()->views;
         again.options.without = results_->unticked();
@@ -178,15 +168,8 @@ void CalibrationDialog::change_request() {
   show_state();
 }
 
-void CalibrationDialog::hold_request(bool on) {
-  holds_ = on;
-  results_->setEnabled(!on);
-  show_state();
-}
-
 void CalibrationDialog::show_state() {
-  for (QWidget* one : asked_) one->setEnabled(!holds_);
-  if (kind_->currentData().toString().isEmpty()) marker_->setEnabled(false);
+  marker_->setEnabled(!kind_->currentData().toString().isEmpty());
   run_->set_obstacle(folder_->text().trimmed().isEmpty() ? tr("Choose the folder of pictures first.")
                                                          : QString());
   again_->setVisible(results_->sheet() != nullptr);

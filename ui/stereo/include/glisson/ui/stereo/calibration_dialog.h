@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDialog>
-#include <vector>
 
 #include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/ui/common/figures_table.h"
@@ -34,13 +33,9 @@ class CalibrationDialog : public QDialog {
   void choose_folder();
   /// The request has changed: what was found before does not belong to it.
   void change_request();
-  /// While it is computed the request stays as it was made: what comes of it would stand beside another one.
-  void hold_request(bool on);
   void show_state();
   void show_outcome(const engine::Outcome& outcome);
 
-  std::vector<QWidget*> asked_;  ///< what the request is filled in with
-  bool holds_ = false;
   QLineEdit* folder_;
   QComboBox* kind_;
   QSpinBox* columns_;
