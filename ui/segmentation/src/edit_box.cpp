@@ -19,7 +19,6 @@
 #include <cmath>
 
 #include "glisson/ui/common/error_texts.h"
-#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/edit_texts.h"
@@ -188,7 +187,7 @@ void EditBox::build_region() {
   auto* row = new QHBoxLayout(intensities_);
   row->setContentsMargins(0, 0, 0, 0);
   for (QDoubleSpinBox** box : {&low_, &high_}) {
-    *box = new NumberBox(intensities_);
+    *box = new QDoubleSpinBox(intensities_);
     (*box)->setRange(-2000.0, 5000.0);
     (*box)->setDecimals(0);
     (*box)->setSingleStep(5.0);
