@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -78,6 +79,7 @@ class ControlsTest : public QObject {
   void ADummyIsFound();
   void NothingInTheWindowIsADummy();
   void NothingInTheDialogsIsADummy();
+  void ACommaIsADecimalPoint();
   void TheFolderOfBoardsIsChosenByAButton();
 };
 
@@ -111,6 +113,37 @@ void ControlsTest::NothingInTheDialogsIsADummy() {
     QVERIFY2(dead.isEmpty(), qPrintable(dead.join(QStringLiteral(", "))));
     QVERIFY(looked_at > 1);
   }
+}
+
+/// As hands write it in German and French: 2,5 was 25.
+void ControlsTest::ACommaIsADecimalPoint() {
+  FakeOperation operation;
+  make_box_operation(operation);
+  ui::MainWindow window(operation.options());
+  ui::CalibrationDialog calibration(window.engine());
+  const auto typed = [](QDoubleSpinBox& number, const QString& text) {
+    auto* line = number.findChild<QLineEdit*>();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    number.interpretText();
+    return number.value();
+  };
+  int looked_at = 0;
+  for (const QWidget* place : std::initializer_list<const QWidget*>{&window, &calibration})
+    for (QDoubleSpinBox* number : place->findChildren<QDoubleSpinBox*>()) {
+      if (!number->isEnabled() || number->decimals() == 0) continue;
+      const int whole = static_cast<int>(number->minimum()) + 1;
+      const double wanted = whole + 0.5;
+      if (wanted > number->maximum()) continue;
+      ++looked_at;
+      const double told = typed(*number, QStringLiteral("%1,5").arg(whole));
+      QVERIFY2(told == wanted, qPrintable(QStringLiteral("%1: %2").arg(number->objectName()).arg(told)));
+    }
+  QVERIFY(looked_at > 5);
+  auto* square = calibration.findChild<QDoubleSpinBox*>(QStringLiteral("board_square"));
+  QCOMPARE(typed(*square, QStringLiteral("2,5")), 2.5);
+  QCOMPARE(calibration.command().board.square, 2.5e-3);
+  QCOMPARE(square->text(), QStringLiteral("2.500 mm"));
 }
 
 void ControlsTest::TheFolderOfBoardsIsChosenByAButton() {

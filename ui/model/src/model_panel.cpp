@@ -19,6 +19,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/built_in_atlas.h"
+#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/common/unit_question.h"
 #include "glisson/ui/model/tissue_box.h"
@@ -71,7 +72,7 @@ void ModelPanel::build_options() {
   vertices_->setRange(100, 5000);
   vertices_->setSingleStep(50);
   vertices_->setValue(model::MeshOptions{}.target_vertices);
-  edge_ = new QDoubleSpinBox(this);
+  edge_ = new NumberBox(this);
   edge_->setRange(6.0, 40.0);
   edge_->setDecimals(1);
   edge_->setSuffix(tr(" mm"));

@@ -15,6 +15,7 @@
 #include "glisson/engine/parts/tissue.h"
 #include "glisson/fem/materials.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -63,7 +64,7 @@ TissueBox::Row TissueBox::add_row(const QString& name, const QString& object, co
   row.choice->setObjectName(object);
   row.choice->setMinimumContentsLength(6);  // beside it stands a number
   row.choice->addItems(choices);
-  row.kilopascals = new QDoubleSpinBox(this);
+  row.kilopascals = new NumberBox(this);
   row.kilopascals->setObjectName(object + QStringLiteral("_kpa"));
   row.kilopascals->setRange(1e-3 * fem::kSoftestTissue, 1e-3 * fem::kStiffestTissue);
   row.kilopascals->setDecimals(1);

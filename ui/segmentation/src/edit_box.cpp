@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/edit_texts.h"
@@ -187,7 +188,7 @@ void EditBox::build_region() {
   auto* row = new QHBoxLayout(intensities_);
   row->setContentsMargins(0, 0, 0, 0);
   for (QDoubleSpinBox** box : {&low_, &high_}) {
-    *box = new QDoubleSpinBox(intensities_);
+    *box = new NumberBox(intensities_);
     (*box)->setRange(-2000.0, 5000.0);
     (*box)->setDecimals(0);
     (*box)->setSingleStep(5.0);

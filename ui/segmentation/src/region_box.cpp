@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "glisson/segmentation/segment.h"
+#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {
@@ -68,7 +69,7 @@ void RegionBox::build_bounds() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     rows->addWidget(new QLabel(names[axis], bounds_), static_cast<int>(axis), 0);
     for (std::size_t side = 0; side < 2; ++side) {
-      auto* number = new QDoubleSpinBox(bounds_);
+      auto* number = new NumberBox(bounds_);
       number->setObjectName(
           QStringLiteral("region_%1_%2")
               .arg(QLatin1String(kAxes[axis]), side == 0 ? QStringLiteral("low") : QStringLiteral("high")));
@@ -86,7 +87,7 @@ void RegionBox::build_bounds() {
 }
 
 void RegionBox::build_resolution() {
-  resolution_ = new QDoubleSpinBox(this);
+  resolution_ = new NumberBox(this);
   resolution_->setObjectName(QStringLiteral("segment_resolution"));
   resolution_->setRange(kFinest, kCoarsest);
   resolution_->setSingleStep(0.5);

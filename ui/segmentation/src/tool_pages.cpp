@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/label_rows.h"
@@ -90,7 +91,7 @@ void ToolPages::change(const std::function<void(EditSettings&)>& how) {
 }
 
 QWidget* ToolPages::make_number(const PageField& field) {
-  auto* box = new QDoubleSpinBox(this);
+  auto* box = new NumberBox(this);
   box->setRange(field.range.low, field.range.high);
   box->setSingleStep(field.range.step);
   box->setDecimals(field.range.decimals);

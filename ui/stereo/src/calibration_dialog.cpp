@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "glisson/engine/commands/calibrate_rig.h"
+#include "glisson/ui/common/number_box.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -106,7 +107,7 @@ QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
   rows_ = add_count(usual.rows, QStringLiteral("board_rows"));
   form->addRow(tr("Inner corners"), corners);
   const auto add_length = [&](const QString& label, double value, const QString& name) {
-    auto* box = new QDoubleSpinBox(this);
+    auto* box = new NumberBox(this);
     box->setRange(0.1, 100.0);
     box->setDecimals(3);
     box->setSuffix(tr(" mm"));
