@@ -268,7 +268,7 @@ void EditBox::show_region() {
   by_intensity_->setChecked(region.intensity.has_value());
   intensities_->setVisible(region.intensity.has_value());
   for (QDoubleSpinBox* box : {low_, high_})
-    box->setSuffix(session_.shows_hounsfield() ? tr(" HU") : QString());
+    show_suffix(*box, session_.shows_hounsfield() ? tr(" HU") : QString());
   const auto put = [](QDoubleSpinBox* box, double value) {
     if (std::abs(box->value() - value) > 0.5) box->setValue(value);  // who types is not interrupted
   };

@@ -101,7 +101,7 @@ QWidget* ToolPages::make_number(const PageField& field) {
     change([&](EditSettings& settings) { set(settings, value); });
   });
   refresh_.emplace_back([this, box, get = field.get, unit = field.range.unit](const EditSettings& settings) {
-    box->setSuffix(suffix_of(unit));
+    show_suffix(*box, suffix_of(unit));
     const QSignalBlocker quiet(box);
     if (std::abs(box->value() - get(settings)) > 1e-9) box->setValue(get(settings));
   });

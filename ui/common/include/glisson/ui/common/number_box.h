@@ -17,4 +17,9 @@ class NumberBox : public QDoubleSpinBox {
   }
 };
 
+/// Whoever types is not interrupted: a suffix that is set anew, be it the same, writes the whole field anew.
+inline void show_suffix(QDoubleSpinBox& box, const QString& suffix) {
+  if (box.suffix() != suffix) box.setSuffix(suffix);
+}
+
 }  // namespace glisson::ui
