@@ -11,6 +11,7 @@ namespace glisson::ui {
 const std::vector<const char*>& file_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not an object"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than a load can be"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a list"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no text"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not of the right kind"),
@@ -207,7 +208,6 @@ const std::vector<const char*>& file_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write [0, 1, ...]"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write [x, y, z]"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give millimetres, at most 10000"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than a load can be"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write [{...}, ...]"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write {...} there"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give 0-based indices"),

@@ -16,8 +16,6 @@ const std::vector<const char*>& work_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is locked"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 100 MB, more than any list needs"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 4 GB"),
-      QT_TRANSLATE_NOOP("ErrorPhrases",
-                        "Enter that source yourself where pictures are opened, if you trust it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "names a source outside this computer (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "nests lists deeper than any that is read here"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no voxel of %1 within 5 mm"),
@@ -127,6 +125,8 @@ const std::vector<const char*>& work_problems() {
 
 const std::vector<const char*>& work_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Enter that source yourself where pictures are opened, if you trust it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Look at it as it is now, and say it again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose another name, or say that it is replaced"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Add one, or leave --correct out"),

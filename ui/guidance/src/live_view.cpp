@@ -161,7 +161,7 @@ void LiveView::switch_whole_screen() {
     close();
     return;
   }
-  if (whole_screen_) {
+  if (whole_screen_ && whole_screen_->isVisible()) {  // one that was closed may still be on its way out
     whole_screen_->close();
     return;
   }

@@ -61,6 +61,13 @@ bool holds_anything(const engine::CaseState& state) {
                      [&](const engine::Part part) { return part.type().is_saved() && state.has(part); });
 }
 
+/// Whether one is on its way that takes the place of what is open.
+bool is_case_to_come(const EngineBridge& engine) {
+  const auto& tasks = engine.tasks();
+  return std::any_of(tasks.begin(), tasks.end(),
+                     [](const Task& task) { return task.traits.replaces_case(); });
+}
+
 engine::SaveCase save_to(const std::filesystem::path& place) {
   return {place, !place.empty()};  // a place that was chosen was asked about
 }
@@ -244,16 +251,10 @@ void MainWindow::import_image(const std::filesystem::path& path) {
                                         [this, path] { import_->start(path); }));
 }
 
-bool MainWindow::is_case_to_come() const {
-  const auto& tasks = engine_.tasks();
-  return std::any_of(tasks.begin(), tasks.end(),
-                     [](const Task& task) { return task.traits.replaces_case(); });
-}
-
 void MainWindow::ask_whose(const engine::ImportImage& image) {
   // "The patient who is open" is the one who is when it is answered: of one who is on the way it is asked
   // then.
-  if (is_case_to_come()) {
+  if (is_case_to_come(engine_)) {
     connect(
         &engine_, &EngineBridge::finished, this, [this, image] { ask_whose(image); },
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
@@ -277,7 +278,7 @@ void MainWindow::ask_whose(const engine::ImportImage& image) {
     button->setObjectName(QLatin1String(name));
     connect(button, &QPushButton::clicked, this, [this, box, image, new_case] {
       engine_.disconnect(box);  // it is answered
-      if (is_case_to_come()) return ask_whose(image);
+      if (is_case_to_come(engine_)) return ask_whose(image);
       engine::ImportImage answered = image;
       answered.new_case = new_case;
       running_->before(

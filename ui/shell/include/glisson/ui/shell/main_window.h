@@ -58,8 +58,6 @@ class MainWindow : public QMainWindow {
   void add_panel(Panel* panel, const QString& icon);
   void open_case();
   void import_image(const std::filesystem::path& path);
-  /// Whether one is on its way that takes the place of what is open.
-  bool is_case_to_come() const;
   /// Asks whose an image is that was read while a case is open.
   void ask_whose(const engine::ImportImage& image);
   /// Asks first when the present one has changes.
