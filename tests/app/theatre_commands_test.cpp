@@ -136,9 +136,11 @@ void TheatreCommandsTest::AVideoThatEndsEarlyIsRecognised() {
   const std::string whole = read_file(at("whole.mkv"));
   write_text(at("cut.mkv"), whole.substr(0, whole.size() * 3 / 5));
   fs::remove(at("whole.mkv"));
-  refused({"track", "--model", "m.vtu", "--start", "start.vtu", "--video", "cut.mkv", "--calibration",
-           "c.yaml", "--out", "tracked"},
-          "cut.mkv");
+  const Ran cut = run({"track", "--model", "m.vtu", "--start", "start.vtu", "--video", "cut.mkv",
+                       "--calibration", "c.yaml", "--out", "tracked"});
+  QCOMPARE(cut.code, 1);
+  QVERIFY2(cut.error.contains("cut.mkv"), qPrintable(cut.error));
+  QVERIFY(fs::exists(at("tracked/INCOMPLETE")));  // what was finished stays, and says so
 }
 
 void TheatreCommandsTest::RegisterFindsAKnownDeformationAndKeepsTheNodeOrder() {

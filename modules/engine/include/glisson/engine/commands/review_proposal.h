@@ -21,7 +21,8 @@ struct ReviewProposal {
   std::shared_ptr<const atlas::Transfer> seen = {};
 
   CommandTraits traits() const;
-  /// @throws InputError `seen` is not what the case holds, nothing is proposed for the structure, or another number of points.
+  /// @throws InputError `seen` is not what the case holds, nothing is proposed for the structure, or another
+  /// number of points.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 
