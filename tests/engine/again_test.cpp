@@ -125,6 +125,13 @@ class AgainTest : public QObject {
     offered.x = x;
     return offered;
   }
+  /// Followed from 1, and 2 is offered.
+  static void begin_with_offer(Engine& engine) {
+    ask(engine, Registered{1.0});
+    ask(engine, StartTracking{});
+    follow(engine, 1);
+    ask(engine, offer(2.0));
+  }
   static double registered(const Engine& engine) {
     return engine.snapshot()->state[part::registration]->nodes_in_camera(0, 0);
   }
@@ -165,10 +172,7 @@ void AgainTest::WhatIsOfferedIsTakenAndNothingIsOutOfDate() {
 void AgainTest::WhoCancelsAfterItHasGoneOverComesTooLate() {
   QFETCH(Runner, runner);
   Engine engine(options(runner));
-  ask(engine, Registered{1.0});
-  ask(engine, StartTracking{});
-  follow(engine, 1);
-  ask(engine, offer(2.0));
+  begin_with_offer(engine);
   Showing::taken = [&engine] { engine.cancel_all(); };
   const Outcome outcome = ask(engine, TakeRegistration{});
   Showing::taken = {};
@@ -227,10 +231,7 @@ void AgainTest::ARefusedOneIsNotTaken() {
 void AgainTest::AnOfferOfAFormerRegistrationIsOutOfDate() {
   QFETCH(Runner, runner);
   Engine engine(options(runner));
-  ask(engine, Registered{1.0});
-  ask(engine, StartTracking{});
-  follow(engine, 1);
-  ask(engine, offer(2.0));
+  begin_with_offer(engine);
   ask(engine, Registered{3.0});
   const auto obstacle_now = obstacle(*engine.snapshot(), TakeRegistration{});
   QVERIFY(obstacle_now && obstacle_now->kind == Obstacle::Kind::stale);
@@ -251,10 +252,7 @@ void AgainTest::WithoutAnythingFollowedNothingIsTaken() {
   Engine engine(options(runner));
   QVERIFY(obstacle(CaseState(), RegisterAgain{}));
   QVERIFY(obstacle(CaseState(), TakeRegistration{}));
-  ask(engine, Registered{1.0});
-  ask(engine, StartTracking{});
-  follow(engine, 1);
-  ask(engine, offer(2.0));
+  begin_with_offer(engine);
   ask(engine, StopTracking{});
   QCOMPARE(ask(engine, TakeRegistration{}).status, Status::failed);
   QCOMPARE(registered(engine), 1.0);

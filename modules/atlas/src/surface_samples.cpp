@@ -34,7 +34,7 @@ class Gathered {
       samples.points.row(i) = one.points / one.weight;
       samples.normals.row(i) = one.normals.normalized();
       samples.weights[i] = one.weight;
-      samples.values.row(i) = one.values / one.weight;
+      if (samples.values.cols() > 0) samples.values.row(i) = one.values / one.weight;
     }
     samples.weights /= samples.weights.sum();
     return samples;

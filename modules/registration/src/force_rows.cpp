@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surface_weights.h"
-
 namespace glisson::registration {
 namespace {
 
@@ -72,7 +70,6 @@ Eigen::MatrixXd ForceRows::along(const fem::NodalColumns& columns) const {
 ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, const RowNoise& noise) {
   ForceRows rows;
   resize(rows, cloud.cloud.size());
-  const std::vector<double> weights = surface_weights(cloud);
   bool labelled = false;
   int outliers = 0;
   for (int i = 0; i < cloud.cloud.size(); ++i) {
@@ -90,10 +87,10 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
     outliers += apart > 1.0;
     const double deviation =
         noise.information
-            ? std::hypot(
-                  noise.sigma / std::sqrt(*noise.information *
-                                          std::max(kLeastWeight, weights[static_cast<std::size_t>(i)])),
-                  own)
+            ? std::hypot(noise.sigma / std::sqrt(*noise.information *
+                                                 std::max(kLeastWeight,
+                                                          cloud.surface_weight[static_cast<std::size_t>(i)])),
+                         own)
             : std::max(noise.sigma, own);
     rows.sigma[i] = deviation * std::sqrt(1.0 + apart * apart);
   }

@@ -10,7 +10,6 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
-#include "surface_weights.h"
 
 namespace glisson::registration {
 namespace {
@@ -86,19 +85,26 @@ std::vector<std::vector<int>> nearest_neighbours(const LabelledCloud& cloud, int
   return neighbours;
 }
 
-/// A_i (area_of_point()) over the reference density's.
+/// A_i: the area of the disc up to the k-th neighbour, over k. Beside holes and borders this takes in what
+/// was not seen, so no point stands for more than three times the median.
 /// @param around each point's neighbours in all looks together, so that what is seen twice counts once.
 void weigh_surface(PreparedCloud& prepared, const std::vector<std::vector<int>>& around,
                    double reference_area) {
   std::vector<double> areas(prepared.weight.size(), 0.0), of_surface;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    areas[i] = area_of_point(prepared.cloud.points, static_cast<Eigen::Index>(i), around[i]);
+    const auto& neighbours = around[i];
+    const double reach = (prepared.cloud.points.row(neighbours.back()) -
+                          prepared.cloud.points.row(static_cast<Eigen::Index>(i)))
+                             .squaredNorm();
+    areas[i] = std::numbers::pi * reach / static_cast<double>(neighbours.size());
     if (prepared.cloud.feature(static_cast<int>(i)) == Feature::surface) of_surface.push_back(areas[i]);
   }
-  const double most = of_surface.empty() ? 0.0 : kMostOfMedian * upper_median(of_surface);
-  for (std::size_t i = 0; i < areas.size(); ++i)
+  const double most = of_surface.empty() ? 0.0 : 3.0 * upper_median(of_surface);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    prepared.surface_weight.push_back(std::min(areas[i], most) / reference_area);
     if (prepared.cloud.feature(static_cast<int>(i)) == Feature::surface)
-      prepared.weight[i] = std::min(areas[i], most) / reference_area;
+      prepared.weight[i] = prepared.surface_weight[i];
+  }
 }
 
 /// By length. Centres one reference spacing apart are chosen along the margin; the points nearest to one

@@ -13,7 +13,6 @@
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/rivals.h"
 #include "looks.h"
-#include "surface_weights.h"
 
 namespace glisson::registration {
 namespace {
@@ -57,8 +56,7 @@ class ShapeFitter {
         rest_(model.mesh.vertices),
         cloud_(cloud),
         still_(cloud_.cloud),
-        surface_(surface),
-        surface_weight_(surface_weights(cloud_)) {
+        surface_(surface) {
     for (int i = 0; i < cloud_.cloud.size(); ++i)
       if (cloud_.cloud.feature(i) != Feature::surface && surface_.has(cloud_.cloud.feature(i)))
         marks_.push_back(i);
@@ -153,7 +151,8 @@ class ShapeFitter {
   /// that neighbours share: with v = sigma^2 / share the variance is v + own^2, that of share v / (v +
   /// own^2).
   double share(const Pair& pair) const {
-    const std::vector<double>& weight = pair.feature == Feature::surface ? surface_weight_ : cloud_.weight;
+    const std::vector<double>& weight =
+        pair.feature == Feature::surface ? cloud_.surface_weight : cloud_.weight;
     const double share = weight[static_cast<std::size_t>(pair.point)] * options_.information;
     const double sigma = pair.feature == Feature::surface ? options_.sigma_surface
                                                           : std::max(options_.sigma_margin, pair.deviation);
@@ -266,7 +265,6 @@ class ShapeFitter {
   LabelledCloud still_;  ///< before its looks were moved
   PairOptions pairing_;
   MovingSurface surface_;
-  std::vector<double> surface_weight_;
   std::vector<int> marks_;   ///< points of landmarks that the model has
   std::vector<Pair> pairs_;  ///< one a point, then one with the surface for each mark
   ShapeFit fit_;

@@ -17,6 +17,9 @@ struct PreparedCloud {
   /// What a point stands for: the share of the reference density's point on the surface (A_i / A_ref), of a
   /// reference spacing along the margin, of the notch. No unit; a cloud twice as dense has half the weights.
   std::vector<double> weight;
+  /// What it stands for on the surface, whatever it is labelled: what lies on the margin or beside the notch
+  /// lies on the surface as exactly as any other point. Of points of the surface the same as `weight`.
+  std::vector<double> surface_weight;
   /// The nearest other points of the same look, nearest first; fewer in a small cloud.
   std::vector<std::vector<int>> neighbours;
   /// How many points show the notch, in each look: together they are one mark.
