@@ -22,6 +22,7 @@ class FollowerTest : public QObject {
   void PointsFollowTheTissue();
   void AViewOfAnotherBrightnessIsFollowed();
   void ForgottenFrameLeavesThePointsWhereTheyWere();
+  void AFrameThatCannotBeReadChangesNothing();
   void LonelyGapIsInconsistentAndCommonMotionIsNot();
   void PicturesOfAnotherSizeAreRefused();
   void ABeadDoesNotHidePlainTissue();
@@ -156,6 +157,23 @@ void FollowerTest::ForgottenFrameLeavesThePointsWhereTheyWere() {
   QCOMPARE(follower.points().size(), count);
   follower.follow(second_);
   QVERIFY(follower.points().size() > 0.7 * static_cast<double>(count));
+}
+
+void FollowerTest::AFrameThatCannotBeReadChangesNothing() {
+  StereoFollower undisturbed(rig_, options()), disturbed(rig_, options());
+  StereoFrame broken = second_;
+  broken.right = {};
+  for (StereoFollower* follower : {&undisturbed, &disturbed}) {
+    follower->begin(first_, {});
+    follower->replenish(expected());
+  }
+  QVERIFY_THROWS_EXCEPTION(InputError, disturbed.follow(broken));
+  QCOMPARE(disturbed.points().size(), undisturbed.points().size());
+  undisturbed.follow(second_);
+  disturbed.follow(second_);
+  QCOMPARE(disturbed.points().size(), undisturbed.points().size());
+  for (std::size_t i = 0; i < disturbed.points().size(); ++i)
+    QVERIFY(disturbed.points()[i].left == undisturbed.points()[i].left);
 }
 
 void FollowerTest::LonelyGapIsInconsistentAndCommonMotionIsNot() {

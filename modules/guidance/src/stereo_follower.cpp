@@ -198,6 +198,15 @@ StereoFollower::Counts StereoFollower::follow(const StereoFrame& frame) {
   before_ = points_;
   std::swap(images_->left_before, images_->left);
   std::swap(images_->right_before, images_->right);
+  try {
+    return follow_from_before(frame);
+  } catch (...) {
+    forget_last();
+    throw;
+  }
+}
+
+StereoFollower::Counts StereoFollower::follow_from_before(const StereoFrame& frame) {
   std::vector<cv::Point2f> left, right;
   std::vector<char> good_left, good_right;
   const auto one_side = [&](bool is_left) {

@@ -52,6 +52,8 @@ class StereoFollower {
   struct Counts {
     int left = 0, right = 0;
   };
+  /// @throws InputError when a picture is not of the calibration's size. Whatever is thrown, the last frame
+  /// and its points are what is followed from next.
   Counts follow(const StereoFrame& frame);
 
   /// Keeps the points whose entry is true. @pre one entry a point.
@@ -76,6 +78,8 @@ class StereoFollower {
 
  private:
   struct Images;
+  /// As follow(), from the pictures that were made the ones before.
+  Counts follow_from_before(const StereoFrame& frame);
   bool is_seen_by_both(const FollowedPoint& point) const;
   /// @return false: the rays do not meet.
   bool triangulate_into(FollowedPoint& point) const;

@@ -372,7 +372,7 @@ struct Tracker::Impl {
       // What could not be used is followed again from the last frame that could.
       if (overlay.validity == Validity::too_few_points || overlay.validity == Validity::masked_out ||
           overlay.validity == Validity::inconsistent_motion) {
-        follower->forget_last();
+        if (has_pictures) follower->forget_last();
         body.stop();
       }
     }
