@@ -6101,6 +6101,10 @@
         <translation>Einige Elemente des Netzes haben sich umgestülpt.</translation>
     </message>
     <message>
+        <source>The organ was still moving towards the points after the last step.</source>
+        <translation>Das Organ bewegte sich nach dem letzten Schritt noch auf die Punkte zu.</translation>
+    </message>
+    <message>
         <source>The mechanical computation did not come to an end.</source>
         <translation>Die mechanische Rechnung kam zu keinem Ende.</translation>
     </message>

@@ -6101,6 +6101,10 @@
         <translation>Des éléments du maillage se sont retournés.</translation>
     </message>
     <message>
+        <source>The organ was still moving towards the points after the last step.</source>
+        <translation>L’organe se déplaçait encore vers les points après le dernier pas.</translation>
+    </message>
+    <message>
         <source>The mechanical computation did not come to an end.</source>
         <translation>Le calcul mécanique n&apos;a pas abouti.</translation>
     </message>

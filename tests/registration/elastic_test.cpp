@@ -176,6 +176,7 @@ void ElasticTest::StepLimitIsReported() {
   const auto registration = register_elastic(model_, seen(0.02), phantom::view(), options, RunContext());
   QVERIFY(registration->termination == Termination::step_limit);
   QCOMPARE(registration->steps, 7);
+  QCOMPARE(std::ranges::count(registration->doubts, "pull_not_at_rest"), 1);
 }
 
 void ElasticTest::WhatNeverRestsIsStalled() {

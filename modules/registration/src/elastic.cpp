@@ -167,6 +167,7 @@ class ElasticRun {
     if (kept < 0.8 * static_cast<double>(pairs_.size())) doubts.emplace_back("many_outliers");
     if (registration_.residual > kLargeResidual) doubts.emplace_back("residual_large");
     if (inverted_ > 0) doubts.emplace_back("inverted_elements");
+    if (termination == Termination::step_limit) doubts.emplace_back("pull_not_at_rest");
     if (termination == Termination::diverged) doubts.emplace_back("mechanics_failed");
     return registration_;
   }

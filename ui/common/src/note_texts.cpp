@@ -210,6 +210,7 @@ class Notes {
                           "%2 mm.")},
         {"refused", tr("The registration was refused: what is known contradicts it.")},
         {"refusal_accepted", tr("The registration was refused, and somebody uses it nevertheless.")},
+        {"pull_not_at_rest", tr("The organ was still moving towards the points after the last step.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
         {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")},
         {"image.small", tr("The volume measures only %1 mm along its shortest side: a liver is larger.")},

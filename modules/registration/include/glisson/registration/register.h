@@ -93,9 +93,9 @@ ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed 
 /// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.
 /// Registration::residual is the mean over the pairs kept (outliers excluded).
 /// Doubts: few_margin_points, no_notch, little_surface_seen (under a fifth of the model's), many_outliers,
-/// residual_large, inverted_elements, mechanics_failed; with a prior shape_ambiguous (another shape, 10 mm
-/// away on average and more, is nearly as probable) and shape_unusual (an amplitude beyond four standard
-/// deviations).
+/// residual_large, inverted_elements, pull_not_at_rest (the most steps were done), mechanics_failed; with a
+/// prior shape_ambiguous (another shape, 10 mm away on average and more, is nearly as probable) and
+/// shape_unusual (an amplitude beyond four standard deviations).
 /// @throws InputError fewer than 10 points, not finite, hardly any of which meet the model from `start`;
 /// unusable options or mesh; fixed nodes out of range.
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
