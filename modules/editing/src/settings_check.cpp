@@ -6,13 +6,9 @@
 #include <sstream>
 
 #include "glisson/core/error.h"
+#include "glisson/core/patient_range.h"
 
 namespace glisson::editing {
-namespace {
-
-constexpr double kFarthestPoint = 100.0;  // metres
-
-}  // namespace
 
 std::string millimetres(double metres) {
   std::ostringstream stream;
@@ -47,7 +43,7 @@ void SettingsCheck::axis(int number, const std::string& setting) const {
 }
 
 void SettingsCheck::point(const Eigen::Vector3d& p, const std::string& setting) const {
-  if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kFarthestPoint)
+  if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kPatientRange)
     refuse(setting, "has a point that is nowhere near a patient", "Give points of the CT's frame");
 }
 

@@ -21,6 +21,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/patient_range.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/vtk_xml_file.h"
@@ -32,7 +33,6 @@ using nlohmann::json;
 namespace {
 
 constexpr double kMillimetre = 1e-3;
-constexpr double kFarthestMm = 1e5;  // from a scanner's origin
 
 vtkNew<vtkIntArray> int_array(const char* name) {
   vtkNew<vtkIntArray> array;
@@ -166,7 +166,7 @@ Points points_from_json(const json& array, const std::string& file, const std::s
     for (std::size_t k = 0; k < 3; ++k) {
       if (!triple[k].is_number())
         refuse("entry " + std::to_string(i) + " holds something that is not a number");
-      if (!(std::abs(triple[k].get<double>()) <= kFarthestMm))
+      if (!(kMillimetre * std::abs(triple[k].get<double>()) <= kPatientRange))
         refuse("entry " + std::to_string(i) + " is nowhere near a patient");
       points(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
           triple[k].get<double>() * kMillimetre;

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/patient_range.h"
 #include "named.h"
 
 namespace glisson {
@@ -74,10 +75,10 @@ void Correction::validate() const {
   const OptionCheck demand("correction");
   if (!from.allFinite() || !to.allFinite() || !place_in_ct.allFinite())
     throw InputError("correction", "a coordinate", "is not a finite number", "Give pixels of the picture");
-  constexpr double kMostPixels = 1e5, kMostMetres = 10.0;
+  constexpr double kMostPixels = 1e5;
   if (from.cwiseAbs().maxCoeff() > kMostPixels || to.cwiseAbs().maxCoeff() > kMostPixels)
     throw InputError("correction", "a coordinate", "lies outside the image", "Give pixels of the picture");
-  if (place_in_ct.cwiseAbs().maxCoeff() > kMostMetres)
+  if (place_in_ct.cwiseAbs().maxCoeff() > kPatientRange)
     throw InputError("correction", "place_mm", "is nowhere near a patient", "Give points of the CT's frame");
   demand(sigma_px > 0.0, "sigma_px", sigma_px, "Give a positive number of pixels");
 }

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/patient_range.h"
 #include "glisson/geometry/mesh_io.h"
 
 namespace glisson::registration {
@@ -23,8 +24,7 @@ CameraFromCt camera_from_ct_of(Eigen::Matrix4d matrix, LengthUnit unit, const st
   if (!matrix.row(3).isApprox(Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0), kRounded))
     throw InputError(where, "matrix", "its last row is not 0 0 0 1", kRemedy);
   matrix.topRightCorner<3, 1>() *= metres_per(unit);
-  constexpr double kMostMetres = 100.0;
-  if (matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kMostMetres)
+  if (matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() > kPatientRange)
     throw InputError(where, "matrix", "is nowhere near a patient", kRemedy);
   return CameraFromCt::from_matrix(matrix, where);
 }

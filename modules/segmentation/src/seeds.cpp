@@ -4,6 +4,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/patient_range.h"
 #include "glisson/segmentation/segment.h"
 
 namespace glisson::segmentation {
@@ -21,7 +22,7 @@ Points points_from(const std::string& file, const std::string& field, const nloh
     if (!good) throw InputError(file, field + " " + std::to_string(n + 1), "is not a point", kRemedy);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double mm = point[axis];
-      if (!std::isfinite(mm) || std::abs(mm) > 1e5)
+      if (!std::isfinite(mm) || std::abs(mm) > 1e3 * kPatientRange)
         throw InputError(file, field + " " + std::to_string(n + 1), "is nowhere near a patient", kRemedy);
       points(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(axis)) = 1e-3 * mm;
     }

@@ -7,6 +7,7 @@
 
 #include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
+#include "glisson/core/patient_range.h"
 #include "most_values.h"
 #include "raw_volume.h"
 
@@ -55,7 +56,7 @@ VolumeGrid checked_grid(const Request& request, const Eigen::Vector3i& size,
       (spacing_mm.cwiseProduct(size.cast<double>()).array() > kLargestExtent).any())
     throw InputError(request.name, "spacing", "is " + text(spacing_mm) + " mm, which is no patient's",
                      "Check that the file's unit is the millimetre and correct its header");
-  if (!origin_mm.allFinite() || (origin_mm.array().abs() > 1e5).any())
+  if (!origin_mm.allFinite() || (origin_mm.array().abs() > 1e3 * kPatientRange).any())
     throw InputError(request.name, "origin",
                      "is (" + text(origin_mm) + ") mm, which is nowhere near a scanner",
                      "Correct the file's header");
