@@ -103,7 +103,11 @@ class StereoSourcesTest : public QObject {
     dialog.move(screen.right() - dialog.width() - 10, screen.top() + 10);
     QSignalSpy done(&dialog.task(), &ui::TaskButton::done);
     QTest::mouseClick(dialog.task().button(), Qt::LeftButton);
+    auto& columns = child<QSpinBox>(dialog, "board_columns");
+    QTRY_VERIFY(!columns.isEnabled() || done.count() == 1);  // what comes out belongs to what was asked for
+    QCOMPARE(done.count(), 0);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
+    QVERIFY(columns.isEnabled());
     const auto outcome = done[0][0].value<engine::Outcome>();
     QVERIFY2(outcome.status == engine::Status::done, outcome.error.c_str());
     QVERIFY(engine.state()[part::rig] != nullptr);
@@ -117,7 +121,7 @@ class StereoSourcesTest : public QObject {
     QVERIFY(dialog.again().isVisible() && !dialog.again().button()->isEnabled());  // all views are ticked
     QVERIFY(!child<ui::CoverageView>(dialog, "calibration_coverage").picture().empty());
     QCOMPARE(child<QTreeWidget>(dialog, "calibration_views").topLevelItemCount(), 9);
-    child<QSpinBox>(dialog, "board_columns").setValue(board_.columns + 1);
+    columns.setValue(board_.columns + 1);
     QVERIFY(!dialog.again().isVisible());  // what was found is of another board
   }
 

@@ -66,16 +66,15 @@ CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QD
   connect(results_, &CalibrationResults::ticks_changed, this, &CalibrationDialog::show_state);
   for (TaskButton* task : {run_, again_})
     connect(task, &TaskButton::done, this, &CalibrationDialog::show_outcome);
+  connect(&engine, &EngineBridge::tasks_changed, this, &CalibrationDialog::show_state);
   show_state();
 }
 
-QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
-  auto* form = new QFormLayout;
+QWidget* CalibrationDialog::make_fields() {
+  auto* fields = new QWidget(this);
+  auto* form = new QFormLayout(fields);
+  form->setContentsMargins({});
   form->setLabelAlignment(Qt::AlignLeft);
-  form->addRow(
-      make_explanation(tr("Ten pairs of pictures or more of a chessboard or a ChArUco board, near and "
-                          "far, slanted to all sides, up to the pictures' borders."),
-                       this));
   auto* row = new QHBoxLayout;
   folder_ = new QLineEdit(this);
   folder_->setObjectName(QStringLiteral("board_folder"));
@@ -119,11 +118,22 @@ QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
   square_ = add_length(tr("Side of a square"), usual.square / kMillimetre, QStringLiteral("board_square"));
   marker_ =
       add_length(tr("Side of a marker"), 0.75 * usual.square / kMillimetre, QStringLiteral("board_marker"));
+  return fields;
+}
+
+QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
+  auto* form = new QVBoxLayout;
+  form->addWidget(
+      make_explanation(tr("Ten pairs of pictures or more of a chessboard or a ChArUco board, near and "
+                          "far, slanted to all sides, up to the pictures' borders."),
+                       this));
+  fields_ = make_fields();
+  form->addWidget(fields_);
   run_ = new TaskButton(
       engine, tr("Calibrate"), [this] { return engine::Command(command()); }, this);
   run_->setObjectName(QStringLiteral("calibrate"));
   run_->setFixedWidth(kFormWidth);
-  form->addRow(run_);
+  form->addWidget(run_);
   again_ = new TaskButton(
       engine, tr("Calibrate with the views ticked"),
       [this] {
@@ -134,14 +144,15 @@ QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
       },
       this);
   again_->setObjectName(QStringLiteral("calibrate_again"));
-  form->addRow(again_);
+  form->addWidget(again_);
   figures_ = new FiguresTable(this);
-  form->addRow(figures_);
+  form->addWidget(figures_);
   notes_ = new QLabel(this);
   notes_->setWordWrap(true);
   set_style_property(notes_, "role", "muted");
-  form->addRow(notes_);
+  form->addWidget(notes_);
   notes_->hide();
+  form->addStretch(1);
   return form;
 }
 
@@ -169,6 +180,10 @@ void CalibrationDialog::change_request() {
 }
 
 void CalibrationDialog::show_state() {
+  // What comes out belongs to what was asked for.
+  const bool is_running = run_->is_running() || again_->is_running();
+  fields_->setDisabled(is_running);
+  results_->setDisabled(is_running);
   marker_->setEnabled(!kind_->currentData().toString().isEmpty());
   run_->set_obstacle(folder_->text().trimmed().isEmpty() ? tr("Choose the folder of pictures first.")
                                                          : QString());
@@ -179,6 +194,7 @@ void CalibrationDialog::show_state() {
 }
 
 void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
+  show_state();
   const auto sheet = outcome.result.as<engine::CalibrationSheet>();
   if (outcome.status != engine::Status::done || !sheet) return;  // the button says why
   const stereo::Calibration& made = sheet->calibration;

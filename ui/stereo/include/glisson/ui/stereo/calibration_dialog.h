@@ -29,6 +29,7 @@ class CalibrationDialog : public QDialog {
   TaskButton& again() { return *again_; }
 
  private:
+  QWidget* make_fields();
   QLayout* make_form(EngineBridge& engine);
   void choose_folder();
   /// The request has changed: what was found before does not belong to it.
@@ -36,6 +37,7 @@ class CalibrationDialog : public QDialog {
   void show_state();
   void show_outcome(const engine::Outcome& outcome);
 
+  QWidget* fields_;  ///< what is asked for; not to be changed while it is looked for
   QLineEdit* folder_;
   QComboBox* kind_;
   QSpinBox* columns_;
