@@ -91,6 +91,7 @@ SurfaceSamples cell_samples(const SurfaceSamples& dense, double cell) {
     into.points += dense.weights[i] * dense.points.row(i);
     into.normals += dense.weights[i] * dense.normals.row(i);
     into.weight += dense.weights[i];
+    if (dense.values.cols() == 0) continue;
     if (into.values.size() == 0) into.values.setZero(dense.values.cols());
     into.values += dense.weights[i] * dense.values.row(i);
   }
