@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_check.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "anchored_points.h"
@@ -14,57 +12,26 @@
 #include "glisson/registration/moving_surface.h"
 #include "lifted_tissue.h"
 #include "small_stereo.h"
+#include "surface_fit.h"
 
 namespace glisson::guidance {
 namespace {
 
 constexpr int kWidth = 640, kStep = 10;  ///< of the reduced pictures, and of the grid there
-/// Metres: how far a right overlay may be off the surface besides stereo's own error. Registration and the
-/// coarse mechanics leave that much.
-constexpr double kModelSigma = 1.5e-3;
-constexpr double kSupported = 3.0;  ///< standard deviations
-constexpr double kApart = 8e-3;     ///< metres beyond those: something else is seen
-constexpr int kInside = 2;          ///< places of the grid from the outline: well inside
-constexpr int kOccluded = 4;        ///< places of the grid beside something nearer
-constexpr int kRegions = 5;         ///< along each side of the picture
+constexpr double kSupported = 3.0;       ///< standard deviations
+constexpr double kApart = 8e-3;          ///< metres beyond those: something else is seen
+constexpr int kInside = 2;               ///< places of the grid from the outline: well inside
+constexpr int kOccluded = 4;             ///< places of the grid beside something nearer
+constexpr int kRegions = 5;              ///< along each side of the picture
 constexpr std::size_t kRegionCount = std::size_t{kRegions} * kRegions;
 constexpr std::size_t kLeastInRegion = 6;
 /// Share of stereo's error that is common to all points of a region and stays in their median (the matcher's
 /// locking to whole pixels, the coarse mesh).
 constexpr double kRegionStereoShare = 0.5;
-constexpr double kReach = 15e-3;  ///< metres; what lies farther off the model is not it
-constexpr int kFitSteps = 8;
-/// Cauchy's scale, standard deviations: a wrong match weighs little, also against what it claims to know.
-constexpr double kCauchy = 3.0;
 constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies between says the same
-/// Before anything is seen, the organ may be anywhere within so much: what stays unknown shows as pull_sigma.
-constexpr double kPriorShift = 0.03, kPriorTurn = 0.35;  ///< metres, radians
 /// Metres: a point farther than kTissue from the surface is no tissue of the organ, even if the start was
 /// wrong; one farther than kBesideRim beside its rim has no place on it.
 constexpr double kTissue = 20e-3, kBesideRim = 2e-3;
-/// Points of one region count as this many independent ones.
-constexpr double kIndependentInRegion = 2.0;
-
-/// A rigid correction about a centre: turn then shift.
-struct Correction {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();
-  Eigen::Vector3d apply(const Eigen::Vector3d& p) const { return centre + turn * (p - centre) + shift; }
-  Eigen::Vector3d undo(const Eigen::Vector3d& p) const {
-    return centre + turn.transpose() * (p - shift - centre);
-  }
-};
-
-/// One linear measurement: the organ at `at` should move by `distance` along `direction`.
-struct Wish {
-  Eigen::Vector3d at, direction;
-  double distance = 0.0, sigma = 1.0;
-  double weight = 0.0;  ///< 1 / m^2
-  double robust_weight() const {
-    const double off = distance / (kCauchy * sigma);
-    return 1.0 / (sigma * sigma * (1.0 + off * off));
-  }
-};
 
 }  // namespace
 
@@ -238,44 +205,11 @@ struct SurfaceCheck::Impl {
     return grid;
   }
 
-  /// Where what stereo sees wants the organ to be.
-  void collect_wishes(const std::vector<SeenPoint>& points, const Correction& now,
-                      std::vector<Wish>& wishes) {
-    wishes.clear();
-    std::map<int, int> count;
-    std::vector<int> group;
-    for (const SeenPoint& point : points) {
-      if (point.column % kFitEvery != 0 || point.row % kFitEvery != 0) continue;
-      const Eigen::Vector3d p = now.undo(point.p_in_camera);
-      const ClosestPoint at = surface.closest(Feature::surface, p);
-      if (at.triangle < 0 || at.distance > kReach) continue;
-      const Eigen::Vector3d normal = surface.normal(at, normals);
-      const Eigen::Vector3d view = at.point.normalized();
-      if (normal.dot(view) > 0.2) continue;  // turned away: not what is seen
-      Wish wish;
-      wish.at = now.apply(at.point);
-      const Eigen::Vector3d gap = point.p_in_camera - wish.at;
-      // Beside the outline the way to the organ is across it.
-      const Eigen::Vector3d turned = now.turn * normal;
-      const bool is_beside = at.distance > 1e-4 && std::abs(turned.dot(gap)) < 0.7 * gap.norm();
-      wish.direction = is_beside ? Eigen::Vector3d(gap.normalized()) : turned;
-      wish.distance = wish.direction.dot(gap);
-      const double slope = std::abs(wish.direction.dot(point.p_in_camera.normalized()));
-      wish.sigma = std::hypot(point.sigma * slope, kModelSigma);
-      wishes.push_back(wish);
-      group.push_back(region(point.column, point.row));
-      ++count[group.back()];
-    }
-    add_free_space(now, wishes, group, count);
-    for (std::size_t i = 0; i < wishes.size(); ++i)
-      wishes[i].weight = wishes[i].robust_weight() / std::max(1.0, count[group[i]] / kIndependentInRegion);
-  }
-
   /// Where the organ is predicted but stereo sees something behind it, the organ should move to the nearest
   /// place of the picture at which stereo does see it.
-  void add_free_space(const Correction& now, std::vector<Wish>& wishes, std::vector<int>& group,
-                      std::map<int, int>& count) const {
+  std::vector<LookedThrough> looked_through() const {
     constexpr int kFarthest = 12;  // places of the grid
+    std::vector<LookedThrough> through;
     for (int r = 0; r < stereo.rows(); r += kFitEvery)
       for (int c = 0; c < stereo.columns(); c += kFitEvery) {
         const std::size_t i = index(c, r);
@@ -290,68 +224,21 @@ struct SurfaceCheck::Impl {
               best_r = y;
             }
           }
-        if (best_c < 0) continue;
-        Wish wish;
-        wish.at = now.apply(hit[i].point);
-        const Eigen::Vector3d to = depth[i] * stereo.ray(best_c, best_r) - wish.at;
-        if (to.norm() < 1e-4) continue;
-        wish.direction = to.normalized();
-        wish.distance = to.norm();
-        wish.sigma = 2.0 * kModelSigma;
-        wishes.push_back(wish);
-        group.push_back(region(c, r));
-        ++count[group.back()];
+        if (best_c >= 0)
+          through.push_back({hit[i].point, depth[i] * stereo.ray(best_c, best_r), region(c, r)});
       }
+    return through;
   }
 
   /// The small rigid motion of the organ that stereo asks for, with what it cannot tell.
   void fit(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) {
-    Correction now;
-    std::vector<Eigen::Vector3d> organ;
-    const TriangleMesh& mesh = surface.mesh();
-    const int every = std::max(1, mesh.vertex_count() / 300);
-    for (int v = 0; v < mesh.vertex_count(); v += every) organ.push_back(mesh.vertex(v));
-    for (const Eigen::Vector3d& p : organ) now.centre += p / static_cast<double>(organ.size());
-    Eigen::Matrix<double, 6, 1> prior;
-    prior << Eigen::Vector3d::Constant(1.0 / (kPriorShift * kPriorShift)),
-        Eigen::Vector3d::Constant(1.0 / (kPriorTurn * kPriorTurn));
-    Eigen::Matrix<double, 6, 6> information = prior.asDiagonal();
-    std::vector<Wish> wishes;
-    for (int step = 0; step < kFitSteps; ++step) {
-      collect_wishes(points, now, wishes);
-      information = prior.asDiagonal();
-      Eigen::Matrix<double, 6, 1> side;
-      side.setZero();
-      for (const Wish& wish : wishes) {
-        Eigen::Matrix<double, 6, 1> row;
-        row << wish.direction, (wish.at - now.centre - now.shift).cross(wish.direction);
-        information += wish.weight * row * row.transpose();
-        side += wish.weight * wish.distance * row;
-      }
-      const Eigen::AngleAxisd so_far(now.turn);
-      Eigen::Matrix<double, 6, 1> place;
-      place << now.shift, so_far.angle() * so_far.axis();
-      side -= prior.asDiagonal() * place;
-      const Eigen::Matrix<double, 6, 1> change = information.ldlt().solve(side);
-      now.shift += change.head<3>();
-      const double angle = change.tail<3>().norm();
-      if (angle > 1e-9)
-        now.turn = Eigen::AngleAxisd(angle, change.tail<3>() / angle).toRotationMatrix() * now.turn;
-      if (change.head<3>().norm() < 2e-4 && angle < 2e-3) break;
-    }
-    const Eigen::Matrix<double, 6, 6> covariance = information.inverse();
-    double moved = 0.0, unknown = 0.0;
-    for (const Eigen::Vector3d& p : organ) {
-      moved += (now.apply(p) - p).squaredNorm();
-      Eigen::Matrix<double, 3, 6> reach;
-      const Eigen::Vector3d arm = now.apply(p) - now.centre - now.shift;
-      Eigen::Matrix3d cross;
-      cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
-      reach << Eigen::Matrix3d::Identity(), cross;
-      unknown += (reach * covariance * reach.transpose()).trace();
-    }
-    evidence.pull = std::sqrt(moved / static_cast<double>(organ.size()));
-    evidence.pull_sigma = std::sqrt(unknown / static_cast<double>(organ.size()));
+    std::vector<SeenPlace> seen;
+    for (const SeenPoint& point : points)
+      if (point.column % kFitEvery == 0 && point.row % kFitEvery == 0)
+        seen.push_back({point.p_in_camera, point.sigma, region(point.column, point.row)});
+    const SurfacePull found = fit_to_seen(surface, normals, seen, looked_through());
+    evidence.pull = found.pull;
+    evidence.pull_sigma = found.sigma;
   }
 
   /// Places of the material as `shape` has them. Without what lies before or behind the organ.
