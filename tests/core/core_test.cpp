@@ -59,6 +59,7 @@ class CoreTest : public QObject {
   void JsonErrorNamesLineAndColumn();
   void JsonThatNestsWithoutEndIsRefused();
   void JsonLargerThanAnyListIsRefused();
+  void JsonThatNamesAFieldTwiceIsRefused();
   void JsonLinesAreRefusedByTheirNumber();
   void NamesCompareWhateverTheirCase();
   void JsonSurvivesTheFile();
@@ -336,6 +337,23 @@ void CoreTest::JsonThatNestsWithoutEndIsRefused() {
       for_each_json_line(path, "Write it anew", [](const nlohmann::json& object) { (void)object.dump(); });
     });
     QVERIFY2(line.find("line 1: nests lists deeper") != std::string::npos, line.c_str());
+  }
+}
+
+void CoreTest::JsonThatNamesAFieldTwiceIsRefused() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "x.json";
+  // The same name in another object, or as a text, is no second one.
+  put(path, R"({"a": {"b": 1, "a": "a"}, "b": [{"b": 2}, {"b": 3}], "c": {"a": {}, "b": {"a": 1}}})");
+  QVERIFY(read_json(path).at("b").at(1).at("b") == 3);
+  for (const char* twice : {R"({"a": 1, "b": 2, "a": 3})", R"({"c": [0, {"a": {"b": 1}, "a": {"b": 1}}]})"}) {
+    put(path, twice);
+    const std::string whole = test::complaint<InputError>([&] { read_json(path); });
+    QCOMPARE(whole, path.string() + ": \"a\": stands twice. Keep one of them.");
+    put(path, std::string("{}\n") + twice + "\n");
+    const std::string line = test::complaint<InputError>(
+        [&] { for_each_json_line(path, "Write it anew", [](const nlohmann::json&) {}); });
+    QCOMPARE(line, path.string() + ": line 2, \"a\": stands twice. Keep one of them.");
   }
 }
 

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -15,6 +18,19 @@
 namespace glisson {
 namespace {
 constexpr const char* kTooDeep = "nests lists deeper than any that is read here";
+
+/// Of a name that stands twice in one object the library keeps the last, without a word.
+nlohmann::json parsed(const std::string& text, const std::string& file) {
+  using Event = nlohmann::json::parse_event_t;
+  std::vector<std::set<std::string>> names;  // of each object that is open
+  return nlohmann::json::parse(text, [&](int, Event event, const nlohmann::json& value) {
+    if (event == Event::object_start) names.emplace_back();
+    if (event == Event::object_end) names.pop_back();
+    if (event == Event::key && !names.back().insert(value.get<std::string>()).second)
+      throw InputError(file, value.dump(), "stands twice", "Keep one of them");
+    return true;
+  });
+}
 }  // namespace
 
 nlohmann::json read_json(const std::filesystem::path& path) {
@@ -27,7 +43,7 @@ nlohmann::json read_json(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   if (nests_too_deep(text)) throw InputError(path.string(), "", kTooDeep, "Write the file anew");
   try {
-    return nlohmann::json::parse(text);
+    return parsed(text, path.string());
   } catch (const nlohmann::json::parse_error& failure) {
     std::size_t line = 1, column = 1;
     for (std::size_t i = 0; i + 1 < failure.byte && i < text.size(); ++i) {
@@ -50,7 +66,7 @@ void for_each_json_line(const std::filesystem::path& path, const char* remedy,
     if (text.empty()) continue;
     if (nests_too_deep(text)) throw InputError(path.string(), line, kTooDeep, remedy);
     try {
-      take(nlohmann::json::parse(text));
+      take(parsed(text, path.string()));
     } catch (const InputError& error) {
       throw InputError(path.string(), line + ", " + error.field(), error.problem(), error.remedy());
     } catch (const std::exception& failure) {
