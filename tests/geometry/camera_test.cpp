@@ -72,6 +72,7 @@ class CameraTest : public QObject {
   void FitNeverReflects();
   void FitOfAPlaneIsARotation();
   void WeightsChooseWhatCounts();
+  void FitRefusesWhatDoesNotCorrespond();
 };
 
 void CameraTest::UndistortedProjectionIsThePinhole() {
@@ -226,6 +227,13 @@ void CameraTest::WeightsChooseWhatCounts() {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(20);
   weights[7] = 0.0;
   QVERIFY((fit_rigid<B, A>(source, target, weights).rotation - known_motion().rotation).norm() < 1e-12);
+}
+
+void CameraTest::FitRefusesWhatDoesNotCorrespond() {
+  const Points source = cloud(20), target = known_motion().apply(source);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, (fit_rigid<B, A>(source, target.topRows(19))));
+  // As many as others have: they would count for nothing, without a word.
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, (fit_rigid<B, A>(source, target, Eigen::VectorXd::Ones(19))));
 }
 
 QTEST_APPLESS_MAIN(CameraTest)

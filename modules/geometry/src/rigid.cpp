@@ -45,8 +45,10 @@ Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
 }
 
 RigidMotion fit_rigid_motion(const Points& source, const Points& target, const Eigen::VectorXd& weights) {
-  const Eigen::VectorXd w =
-      weights.size() == source.rows() ? weights : Eigen::VectorXd::Ones(source.rows()).eval();
+  require(source.rows() == target.rows(), "points that are fitted to each other are as many on both sides");
+  require(weights.size() == 0 || weights.size() == source.rows(),
+          "points that are fitted have a weight each");
+  const Eigen::VectorXd w = weights.size() > 0 ? weights : Eigen::VectorXd::Ones(source.rows()).eval();
   const double total = w.sum();
   const Eigen::Vector3d source_mean = (w.transpose() * source).transpose() / total;
   const Eigen::Vector3d target_mean = (w.transpose() * target).transpose() / total;
