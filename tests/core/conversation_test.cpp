@@ -4,8 +4,11 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <stdexcept>
+#include <string>
 
 #include "glisson/core/child_process.h"
 #include "glisson/core/files.h"
@@ -91,6 +94,18 @@ class ConversationTest : public QObject {
     QCOMPARE(end->signal, 0);
     QCOMPARE(end->code, 0);
   }
+  void WhoHearsAChildMayThrow() {
+    pid_t child = 0;
+    const auto hear = [&](const std::string& line) {
+      child = std::stoi(line);
+      throw std::runtime_error("is not understood");
+    };
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error,
+                             run_child("/bin/sh", {"-c", "echo $$; exec sleep 600"}, RunContext(), hear));
+    QVERIFY(child > 0);
+    QVERIFY(::kill(child, 0) != 0 && errno == ESRCH);  // it has been ended, and nothing is left of it
+  }
+
   /// And a cancel ends it all the same.
   void ACancelEndsAChild() {
     const auto cancel = std::make_shared<CancelFlag>();

@@ -344,9 +344,15 @@ void CoreTest::JsonThatNamesAFieldTwiceIsRefused() {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "x.json";
   // The same name in another object, or as a text, is no second one.
-  put(path, R"({"a": {"b": 1, "a": "a"}, "b": [{"b": 2}, {"b": 3}], "c": {"a": {}, "b": {"a": 1}}})");
+  put(path, R"({"a": {"b": 1, "a": "a"}, "b": [{"b": 2}, {"b": 3}], "c": {"a": {}, "b": {"a": 1}},
+               "{\"d\":": "\"d\":", "d" : ["d", "d", ":\\"]})");
   QVERIFY(read_json(path).at("b").at(1).at("b") == 3);
-  for (const char* twice : {R"({"a": 1, "b": 2, "a": 3})", R"({"c": [0, {"a": {"b": 1}, "a": {"b": 1}}]})"}) {
+  put(path, "\"a\"");
+  QVERIFY(read_json(path) == "a");
+  put(path, std::string("{\"a\": 1}\0}\"a\": 1", 15));  // what follows a zero is none of it
+  QVERIFY(read_json(path).size() == 1);
+  for (const char* twice : {R"({"a": 1, "b": 2, "a": 3})", R"({"c": [0, {"a": {"b": 1}, "a": {"b": 1}}]})",
+                            R"({"a" : [], "\u0061"  : 2})"}) {
     put(path, twice);
     const std::string whole = test::complaint<InputError>([&] { read_json(path); });
     QCOMPARE(whole, path.string() + ": \"a\": stands twice. Keep one of them.");

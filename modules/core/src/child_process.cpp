@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "glisson/core/error.h"
 
@@ -96,6 +97,23 @@ ChildExit wait_for(pid_t child) {
   return {WEXITSTATUS(status), 0};
 }
 
+/// A child that is killed and reaped unless its end has been waited for: whoever hears its lines may throw.
+class Child {
+ public:
+  explicit Child(pid_t number) : number_(number) {}
+  ~Child() { (void)killed(); }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ChildExit killed() {
+    if (number_ >= 0) ::kill(number_, SIGKILL);
+    return ended();
+  }
+  ChildExit ended() { return number_ < 0 ? ChildExit() : wait_for(std::exchange(number_, -1)); }
+
+ private:
+  pid_t number_;
+};
+
 /// A time to wait that is used up while this process runs. While it is stopped (Ctrl-Z), it hears nothing of
 /// the child, which is no silence.
 class Patience {
@@ -150,7 +168,7 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
                                  const std::function<void(const std::string&)>& on_line) {
   if (context.cancelled()) return std::nullopt;
   Pipe pipe;
-  const pid_t child = spawn(program, arguments, -1, pipe.write_end);
+  Child child(spawn(program, arguments, -1, pipe.write_end));
   pipe.close_write_end();
   std::string pending;
   std::array<char, 4096> buffer{};
@@ -158,8 +176,7 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
   while (true) {
     const bool silent = patience.over();
     if (silent || context.cancelled()) {
-      ::kill(child, SIGKILL);
-      const ChildExit end = wait_for(child);
+      const ChildExit end = child.killed();
       if (silent) return end;
       return std::nullopt;
     }
@@ -172,7 +189,7 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
     pending.append(buffer.data(), static_cast<std::size_t>(got));
     give_lines(pending, on_line);
   }
-  return wait_for(child);
+  return child.ended();
 }
 
 Conversation::Conversation(const std::string& program, const std::vector<std::string>& arguments) {

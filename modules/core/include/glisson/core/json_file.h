@@ -9,7 +9,7 @@
 
 namespace glisson {
 
-/// Reads a JSON file. @throws FileError missing; InputError malformed (line and column), a name twice.
+/// Reads a JSON file. @throws FileError when missing, InputError with line and column when malformed.
 nlohmann::json read_json(const std::filesystem::path& path);
 
 /// Reads a file of a JSON object a line, empty lines left out, and hands each over.
