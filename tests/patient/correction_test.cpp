@@ -60,6 +60,8 @@ void CorrectionTest::BadLinesAreNamed_data() {
   QTest::addColumn<QString>("line");
   QTest::newRow("no JSON") << "{\"correct\"";
   QTest::newRow("no frame") << R"({"correct": "undo"})";
+  QTest::newRow("half a frame") << R"({"frame": 1.5, "correct": "undo"})";
+  QTest::newRow("a frame of no film") << R"({"frame": 4294967297, "correct": "undo"})";
   QTest::newRow("another word") << R"({"frame": 1, "correct": "redo"})";
   QTest::newRow("no target") << R"({"frame": 1, "correct": {"from": [1, 2]}})";
   QTest::newRow("three coordinates") << R"({"frame": 1, "correct": {"from": [1, 2, 3], "to": [3, 4]}})";

@@ -141,6 +141,8 @@ void LabelMapTest::BadCodesAreRefused_data() {
   QTest::newRow("too large") << QByteArray(R"({"65536": "parenchyma"})");
   QTest::newRow("unknown structure") << QByteArray(R"({"1": "spleen"})");
   QTest::newRow("no text") << QByteArray(R"({"1": 2})");
+  QTest::newRow("a code twice") << QByteArray(R"({"6": "parenchyma", "6": "lesion_1"})");
+  QTest::newRow("a code in two spellings") << QByteArray(R"({"6": "parenchyma", "06": "lesion_1"})");
   QTest::newRow("not JSON") << QByteArray(R"({"1": )");
 }
 

@@ -197,6 +197,8 @@ class LabelledCloudTest : public QObject {
     row("list longer than the file", ascii(xyz("", "property list int int ids\n"), "1000000 1 2 3\n", 1),
         "vertex 0");
     row("negative list", ascii(xyz("", "property list int int ids\n"), "-1 1 2 3\n", 1), "vertex 0");
+    row("two of three coordinates of normals",
+        ascii(xyz("property float nx\nproperty float nz\n"), "1 2 3 0 -1\n", 1), "vertex");
     row("flat normal",
         ascii(xyz("property float nx\nproperty float ny\nproperty float nz\n"), "1 2 3 0 0 0\n", 1),
         "vertex 0");

@@ -184,6 +184,12 @@ class OverlayRecordTest : public QObject {
                                       << "../registered";
     QTest::newRow("a text for a number") << "\"unseen_seconds\":0.4"
                                          << "\"unseen_seconds\":\"long\"";
+    QTest::newRow("half a frame") << "\"frame\":42"
+                                  << "\"frame\":42.5";
+    QTest::newRow("a frame of no film") << "\"frame\":42"
+                                        << "\"frame\":4294967338";
+    QTest::newRow("half a pair") << "\"pairs\":0"
+                                 << "\"pairs\":0.5";
     QTest::newRow("a matrix of another size") << "\"covariance\":[["
                                               << "\"covariance\":[[1.0],[";
   }

@@ -124,6 +124,13 @@ class PatientModelTest : public QObject {
     QVERIFY((centres[0].second - Eigen::Vector3d(0.025, 0.015, 0.035)).norm() < 1e-12);
   }
 
+  void ALabelThatSixteenBitsWouldCutIsNoLesion() {
+    PatientModel model;
+    model.mesh = block(1, 0.01);
+    model.mesh.labels.assign(6, 65536 + structure::kFirstLesion);
+    QVERIFY(lesion_centres(model).empty());
+  }
+
   void LesionCentreWeighsByVolume() {
     PatientModel model;
     model.mesh.vertices.resize(8, 3);

@@ -30,7 +30,7 @@ Eigen::Matrix<double, Size, 1> numbers(const json& object, const char* field) {
 
 CorrectionLine line_of(const json& object) {
   CorrectionLine line;
-  line.frame = object.at("frame").get<int>();
+  line.frame = whole_number(object, "frame");
   line.seconds = object.value("seconds", 0.0);
   const json& said = object.at(kKey);
   if (said.is_string()) {

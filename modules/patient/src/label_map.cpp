@@ -67,7 +67,8 @@ LabelCodes read_label_codes(const std::filesystem::path& path) {
           path.string(), "\"" + key + "\"", "stands for " + value.dump() + ", which is no structure",
           "Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or "
           "lesion_1 to lesion_240 (or other_1 to other_9)");
-    codes[*code] = *label;
+    if (!codes.emplace(*code, *label).second)  // "6" and "06"
+      throw InputError(path.string(), "\"" + key + "\"", "stands twice", "Keep one of them");
   }
   return codes;
 }

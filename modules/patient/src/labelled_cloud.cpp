@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/labelled_cloud.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -33,11 +35,15 @@ class Columns {
     for (int k = 0; k < 3; ++k)
       if (position_[k] == nullptr)
         throw InputError(file_, "vertex", "has no property \"" + std::string(kNames[k]) + "\"", kExport);
+    const bool any_normal = std::any_of(std::begin(normal_), std::end(normal_), [](Column c) { return c; });
+    for (int k = 0; any_normal && k < 3; ++k)
+      if (normal_[k] == nullptr)
+        throw InputError(file_, "vertex", "has no property \"" + std::string(kNames[k + 3]) + "\"", kExport);
     label_ = column("label");
     sigma_ = column("sigma");
   }
 
-  bool has_normals() const { return normal_[0] != nullptr && normal_[1] != nullptr && normal_[2] != nullptr; }
+  bool has_normals() const { return normal_[0] != nullptr; }
   bool has_labels() const { return label_ != nullptr; }
   bool has_sigma() const { return sigma_ != nullptr; }
 

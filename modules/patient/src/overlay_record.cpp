@@ -161,7 +161,7 @@ LesionVerdict verdict_of(const json& line, double metres) {
 
 OverlayLine line_of(const json& object) {
   OverlayLine line;
-  line.number = object.at("frame").get<int>();
+  line.number = whole_number(object, "frame");
   OverlayFrame& overlay = line.overlay;
   overlay.index = line.number;
   overlay.seconds = number(object, "seconds");
@@ -172,18 +172,18 @@ OverlayLine line_of(const json& object) {
   if (object.contains("mask")) {
     const json& mask = object.at("mask");
     overlay.mask =
-        MaskUse{length(mask, "share"), length(mask, "age_seconds"), mask.at("held_out").get<int>()};
+        MaskUse{length(mask, "share"), length(mask, "age_seconds"), whole_number(mask, "held_out")};
   }
   if (object.contains("points")) {
     const json& points = object.at("points");
-    overlay.tracked_left = points.at("left").get<int>();
-    overlay.tracked_right = points.at("right").get<int>();
-    overlay.pairs = points.at("pairs").get<int>();
+    overlay.tracked_left = whole_number(points, "left");
+    overlay.tracked_right = whole_number(points, "right");
+    overlay.pairs = whole_number(points, "pairs");
   }
   if (object.contains("evidence")) overlay.evidence = evidence_of(object.at("evidence"));
   if (object.contains("follow_ms")) overlay.milliseconds = length(object, "follow_ms");
   if (object.contains("remedy")) line.remedy = object.at("remedy").get<std::string>();
-  if (object.contains("film_frame")) line.film_frame = object.at("film_frame").get<int>();
+  if (object.contains("film_frame")) line.film_frame = whole_number(object, "film_frame");
   if (object.contains("age_ms")) line.age = 1e-3 * length(object, "age_ms");
   line.nodes_here = object.contains("nodes");
   if (object.at("mesh").is_null() && !line.nodes_here) return line;
