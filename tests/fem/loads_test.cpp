@@ -123,6 +123,8 @@ class LoadsTest : public QObject {
     QTest::newRow("angle beyond all directions")
         << R"({"pressure": {"pascal": 1, "region": {"normal": [0, 0, 1], "angle_deg": 270}}})"
         << "pressure.region.angle_deg";
+    QTest::newRow("two ramps") << R"({"gravity": {"to": "prone"}, "ramp_s": 1, "ramp_s": 2})"
+                               << "\"ramp_s\"";
     QTest::newRow("negative ramp") << R"({"gravity": {"to": "prone"}, "ramp_s": -1})"
                                    << "ramp_s";
   }

@@ -218,6 +218,10 @@ class CalibrationIoTest : public QObject {
     QCOMPARE(rig.left.matrix(0, 2), 470.0);
     QCOMPARE(rig.left.distortion[0], -0.1);
     QVERIFY(std::abs(rig.baseline() - 0.0045) < 1e-15);
+    // As in YAML: which of two is meant is not known.
+    std::string twice = json;
+    twice.insert(twice.rfind(" }"), ", \"M1\": " + camera);
+    QCOMPARE(refusal(twice), std::string("\"M1\""));
     QCOMPARE(refusal("<?xml version=\"1.0\"?>\n<opencv_storage></opencv_storage>\n"), std::string(""));
   }
 

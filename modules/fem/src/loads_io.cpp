@@ -9,6 +9,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/json_text.h"
 #include "glisson/core/nesting.h"
 
 namespace glisson::fem {
@@ -267,9 +268,13 @@ Eigen::Vector3d gravity_in_posture(const std::string& posture) {
 LoadCase read_load_case(const std::filesystem::path& path) { return parse(read_json(path), path.string()); }
 
 LoadCase parse_load_case(const std::string& text, const std::string& name) {
+  if (nests_too_deep(text)) throw InputError(name, "", "is not valid JSON", "Correct it");
   json document;
-  if (nests_too_deep(text) || (document = json::parse(text, nullptr, false)).is_discarded())
+  try {
+    document = parse_json(text, name);
+  } catch (const json::exception&) {
     throw InputError(name, "", "is not valid JSON", "Correct it");
+  }
   return parse(document, name);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glisson/core/error.h"
+#include "glisson/core/json_text.h"
 
 namespace glisson::stereo {
 namespace {
@@ -122,7 +123,12 @@ void OpenCvText::read_yaml(std::string_view content) {
 }
 
 void OpenCvText::read_json(std::string_view content) {
-  const nlohmann::json document = nlohmann::json::parse(content, nullptr, false);
+  nlohmann::json document;
+  try {
+    document = parse_json(content, name_);
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(name_, "", "is not valid JSON", kRemedy);
+  }
   if (!document.is_object()) throw InputError(name_, "", "is not valid JSON", kRemedy);
   for (const auto& [key, entry] : document.items()) {
     Value value;
