@@ -209,6 +209,9 @@ void MeshIoTest::NodeNumbersBeyondTheMeshAreRefused() {
   write_text(path, "0\n4\n2");
   QVERIFY((read_node_numbers(path, 5) == std::vector<int>{0, 4, 2}));
   QVERIFY(complaint([&] { read_node_numbers(path, 4); }).find("line 2") != std::string::npos);
+  // Who gives a file of nodes that are held wants some to be held.
+  write_text(path, " \n\n");
+  QVERIFY(complaint([&] { read_node_numbers(path, 5); }).find("holds no nodes") != std::string::npos);
 }
 
 void MeshIoTest::LiverOf150MetresIsRefusedWithTheUnit() {

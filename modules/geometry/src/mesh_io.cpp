@@ -224,6 +224,8 @@ std::vector<int> read_node_numbers(const fs::path& path, int node_count) {
           "Give 0-based node numbers of this mesh");
     numbers.push_back(number);
   }
+  if (numbers.empty())
+    throw InputError(path.string(), "", "holds no nodes", "Give 0-based node numbers of this mesh");
   return numbers;
 }
 
