@@ -23,6 +23,7 @@ class EditTest : public QObject {
   void WhatIsTakenFromAVesselLeavesNoHole();
   void ABranchBeyondItsNeckChangesHands();
   void InformationOfLabelsIsKeptAndAdded();
+  void InformationInAnyOrderIsKept();
   void CancelLeavesNothing_data();
   void CancelLeavesNothing();
   void StepsHaveTheirNames();
@@ -190,6 +191,25 @@ void EditTest::InformationOfLabelsIsKeptAndAdded() {
   QCOMPARE(more.labels.infos.size(), std::size_t(2));
   QCOMPARE(more.labels.infos[0].terminology, std::string("kept as it is"));
   QCOMPARE(more.labels.infos[1].name, std::string("portal_vein"));
+}
+
+void EditTest::InformationInAnyOrderIsKept() {
+  // As a file lists its segments in the order in which they were drawn.
+  const VolumeGrid grid = test::fine_grid(2.0);
+  LabelMap labels;
+  labels.voxels = LabelVolume(grid);
+  labels.infos = {structure_info(structure::kFirstLesion), structure_info(structure::kParenchyma)};
+  labels.infos[1].terminology = "kept as it is";
+  const Paint paint{structure::kParenchyma,
+                    false,
+                    Paint::Brush::ball,
+                    4e-3,
+                    2,
+                    test::one_point(test::p_at(grid, test::middle_of(grid)))};
+  const Edited edited = test::applied(labels, test::noisy(grid, 1), paint);
+  QVERIFY(edited.voxels_changed > 0);
+  QCOMPARE(edited.labels.infos.size(), std::size_t(2));
+  QCOMPARE(edited.labels.infos[1].terminology, std::string("kept as it is"));
 }
 
 void EditTest::CancelLeavesNothing_data() {

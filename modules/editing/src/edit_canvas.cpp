@@ -183,10 +183,12 @@ LabelMap Canvas::finish() const {
   }
   for (std::size_t label = 1; label < present.size(); ++label) {
     if (!present[label]) continue;
-    const auto place = std::find_if(after.infos.begin(), after.infos.end(),
-                                    [&](const LabelInfo& info) { return info.code >= label; });
-    if (place == after.infos.end() || place->code != label)
-      after.infos.insert(place, structure_info(static_cast<Label>(label)));
+    // Files list their segments in any order.
+    if (std::ranges::find(after.infos, static_cast<Label>(label), &LabelInfo::code) != after.infos.end())
+      continue;
+    const auto place = std::ranges::find_if(
+        after.infos, [&](const LabelInfo& info) { return static_cast<std::size_t>(info.code) > label; });
+    after.infos.insert(place, structure_info(static_cast<Label>(label)));
   }
   return after;
 }
