@@ -21,6 +21,7 @@ class MaskNetworkTest : public QObject {
   void cleanup() { qunsetenv("GLISSON_RUN_NETWORK"); }
   void WhatIsNotRedIsMasked();
   void AThresholdDecidesChannelByChannel();
+  void ChannelsOfOneNameAreAllMeant();
   void WhatIsWrongIsNamedByField_data();
   void WhatIsWrongIsNamedByField();
   void ANetworkOfAnotherInputIsRefused();
@@ -90,6 +91,14 @@ void MaskNetworkTest::AThresholdDecidesChannelByChannel() {
   sheet.is_liver = {1, 0};
   sheet.threshold.reset();
   QVERIFY(!is_not(0.3F, 0.2F) && is_not(0.2F, 0.3F));
+}
+
+void MaskNetworkTest::ChannelsOfOneNameAreAllMeant() {
+  // Of two channels of the liver the second was taken for something else, and masked it.
+  write_file_atomically(folder_.path() / "two.json",
+                        R"({"channels": ["liver", "tool", "liver"], "liver": ["liver"]})");
+  const MaskSheet sheet = read_mask_sheet(folder_.path() / "two.onnx");
+  QCOMPARE(sheet.is_liver, (std::vector<char>{1, 0, 1}));
 }
 
 void MaskNetworkTest::WhatIsWrongIsNamedByField_data() {

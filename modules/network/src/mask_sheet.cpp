@@ -36,11 +36,15 @@ void read_channels(Sheet& sheet, MaskSheet& read) {
     sheet.refuse("liver", "is missing", "List the channels that may be liver, as [\"liver\"]");
   const std::vector<std::string> livers_named = sheet.texts("liver").value_or(std::vector<std::string>());
   for (const std::string& name : livers_named) {
-    const auto found = std::find(read.channels.begin(), read.channels.end(), name);
-    if (found == read.channels.end())
+    bool is_known = false;
+    for (std::size_t n = 0; n < read.channels.size(); ++n) {
+      if (read.channels[n] != name) continue;
+      is_known = true;
+      read.is_liver[n] = 1;  // several channels may have one name
+    }
+    if (!is_known)
       sheet.refuse("liver", "names \"" + name + "\", which is no channel",
                    "Write names that stand in \"channels\"");
-    read.is_liver[static_cast<std::size_t>(found - read.channels.begin())] = 1;
   }
   read.threshold = sheet.number("threshold", -1e6, 1e6);
   const auto livers = std::count(read.is_liver.begin(), read.is_liver.end(), char{1});
