@@ -32,6 +32,7 @@ class DicomLabelsTest : public QObject {
   void LabelsComeInAgainUnchanged();
   void SegmentsOfOthersAreTakenByTheirMeaning();
   void NamedSegmentsOfOthersAreTakenByTheirMeaning();
+  void LesionsOfOtherOrgansAreLeftOut();
   void NamedSegmentsThatMeanNothingAreRefused();
   void NumbersWithoutForeignNamesAreTaken();
   void NamedSegmentsThatLieMirroredAreRefused();
@@ -146,6 +147,24 @@ void DicomLabelsTest::NamedSegmentsOfOthersAreTakenByTheirMeaning() {
   QVERIFY2(left_out.find("Tumor") == std::string::npos, left_out.c_str());
   QCOMPARE(script_->state()[part::labels]->voxels.at({2, 2, 2}), structure::kParenchyma);
   QCOMPARE(script_->state()[part::labels]->voxels.at({1, 1, 1}), structure::kBackground);
+}
+
+void DicomLabelsTest::LesionsOfOtherOrgansAreLeftOut() {
+  // Mass in the kidney, metastasis in a segment of the liver, cyst of no region (SNOMED CT).
+  const std::string begin = "c~SCT^49755003^Morphologically Altered Structure~SCT^";
+  LabelVolume theirs(labels_.grid());
+  for (int n = 0; n < 4; ++n) theirs.set({n, 1, 1}, static_cast<Label>(n + 1));
+  write_foreign(theirs, {{1, "Leber", structure_terminology(structure::kParenchyma)},
+                         {2, "Niere", begin + "4147007^Mass~^^~c~SCT^64033007^Kidney~^^"},
+                         {3, "M1", begin + "14799000^Metastasis~^^~c~SCT^1^Segment 4 of Liver~^^"},
+                         {4, "Zyste", begin + "441457006^Cyst~^^~c~^^~^^"}});
+  const auto outcome = script_->run(ImportLabels{at("foreign.dcm"), {}});
+  const LabelVolume& taken = script_->state()[part::labels]->voxels;
+  QCOMPARE(taken.at({0, 1, 1}), structure::kParenchyma);
+  QCOMPARE(taken.at({1, 1, 1}), structure::kBackground);
+  QCOMPARE(taken.at({2, 1, 1}), structure::kFirstLesion);
+  QCOMPARE(taken.at({3, 1, 1}), static_cast<Label>(structure::kFirstLesion + 1));
+  QCOMPARE(outcome->notes.back(), std::string("labels.segments_left_out Niere"));
 }
 
 void DicomLabelsTest::NamedSegmentsThatMeanNothingAreRefused() {

@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/patient/segment_meaning.h"
 
 using namespace glisson;
 
@@ -55,6 +56,7 @@ class LabelMapTest : public QObject {
   void RecodeRefusesAFileWithoutLiver();
   void RecodeRefusesAMirroredPatient();
   void CodesAreReadByName();
+  void LesionsOfOtherOrgansAreNoneOfTheLiver();
   void BadCodesAreRefused_data();
   void BadCodesAreRefused();
 };
@@ -131,6 +133,18 @@ void LabelMapTest::CodesAreReadByName() {
   write_file_atomically(path, R"({"449": "parenchyma", "465": "portal_vein", "451": "lesion_1"})");
   const LabelCodes codes = read_label_codes(path);
   QCOMPARE(codes, (LabelCodes{{449, 1}, {465, 2}, {451, 16}}));
+}
+
+void LabelMapTest::LesionsOfOtherOrgansAreNoneOfTheLiver() {
+  // Mass in the kidney, metastasis in a segment of the liver, cysts of the liver and of no region (SNOMED
+  // CT).
+  const std::string begin = "c~SCT^49755003^Morphologically Altered Structure~SCT^";
+  const LabelCodes codes =
+      codes_meant({{5, "Niere", begin + "4147007^Mass~^^~c~SCT^64033007^Kidney~^^"},
+                   {6, "M1", begin + "14799000^Metastasis~^^~c~SCT^1^Segment 4 of Liver~^^"},
+                   {7, "Z1", begin + "441457006^Cyst~^^~c~SCT^10200004^~^^"},
+                   {8, "Z2", begin + "441457006^Cyst~^^~c~^^~^^"}});
+  QCOMPARE(codes, (LabelCodes{{6, 16}, {7, 17}, {8, 18}}));
 }
 
 void LabelMapTest::BadCodesAreRefused_data() {

@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "glisson/core/files.h"
+
 namespace glisson {
 namespace {
 
@@ -36,6 +38,15 @@ std::string part_of(const std::string& text, char between, std::size_t n) {
   for (std::size_t i = 0; i <= n; ++i)
     if (!std::getline(stream, part, between)) return {};
   return part;
+}
+
+/// Whether a lesion is the liver's, as far as its region says. The codes of lesions are those of any organ;
+/// the liver's lobes and segments have codes of their own.
+bool is_of_liver(const std::string& terminology) {
+  const std::string region = part_of(terminology, '~', 5);
+  const std::string code = part_of(region, '^', 1);
+  return code.empty() || code == kOrgans.front().code ||
+         lower_case(part_of(region, '^', 2)).find("liver") != std::string::npos;
 }
 
 std::string entry_of(const std::string& category, const std::string& type, const std::string& region) {
@@ -73,7 +84,7 @@ LabelCodes codes_meant(const std::vector<LabelInfo>& segments) {
     const auto organ = std::ranges::find_if(kOrgans, [&](const Meaning& m) { return code == m.code; });
     if (organ != kOrgans.end()) {
       codes[segment.code] = organ->label;
-    } else if (lesion_codes().contains(code)) {
+    } else if (lesion_codes().contains(code) && is_of_liver(segment.terminology)) {
       while (taken.contains(lesion)) ++lesion;
       if (lesion <= structure::kLastLesion) codes[segment.code] = lesion++;
     }

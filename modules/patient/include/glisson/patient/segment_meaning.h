@@ -17,7 +17,7 @@ std::string structure_terminology(Label label);
 
 /// Which structure each segment is, by its name where that is Glisson's, else by the coded meaning in
 /// LabelInfo::terminology; lesions are numbered in the segments' order. Segments that mean something else are
-/// left out.
+/// left out, and lesions whose region is said and is not the liver.
 LabelCodes codes_meant(const std::vector<LabelInfo>& segments);
 
 }  // namespace glisson
