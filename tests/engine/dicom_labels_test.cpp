@@ -33,6 +33,7 @@ class DicomLabelsTest : public QObject {
   void SegmentsOfOthersAreTakenByTheirMeaning();
   void NamedSegmentsOfOthersAreTakenByTheirMeaning();
   void LesionsOfOtherOrgansAreLeftOut();
+  void VoxelsThatNoSegmentNamesAreTold();
   void NamedSegmentsThatMeanNothingAreRefused();
   void NumbersWithoutForeignNamesAreTaken();
   void NamedSegmentsThatLieMirroredAreRefused();
@@ -165,6 +166,27 @@ void DicomLabelsTest::LesionsOfOtherOrgansAreLeftOut() {
   QCOMPARE(taken.at({2, 1, 1}), structure::kFirstLesion);
   QCOMPARE(taken.at({3, 1, 1}), static_cast<Label>(structure::kFirstLesion + 1));
   QCOMPARE(outcome->notes.back(), std::string("labels.segments_left_out Niere"));
+}
+
+void DicomLabelsTest::VoxelsThatNoSegmentNamesAreTold() {
+  // The key of the number of segment 1 is called otherwise: what it was is not known.
+  LabelVolume theirs(labels_.grid());
+  theirs.set({1, 1, 1}, 1);
+  theirs.set({2, 1, 1}, 2);
+  const auto notes_of = [&](const std::string& liver) {
+    write_labels(at("theirs.seg.nrrd"), theirs,
+                 {{1, liver, structure_terminology(structure::kParenchyma)}, {2, "Tumor", "", {}}});
+    std::string text = read_file(at("theirs.seg.nrrd"));
+    const std::string key = "Segment1_ID:=";
+    text.replace(text.find(key), key.size(), "Segment1_Id:=");
+    write_file_atomically(at("theirs.seg.nrrd"), text);
+    return script_->run(ImportLabels{at("theirs.seg.nrrd"), {}})->notes;
+  };
+  QCOMPARE(notes_of("Leber"), (std::vector<std::string>{"labels.segments_left_out 2"}));
+  QCOMPARE(script_->state()[part::labels]->voxels.at({2, 1, 1}), structure::kBackground);
+  // Among Glisson's own names a number is taken for Glisson's, and that is told.
+  QCOMPARE(notes_of("parenchyma"), (std::vector<std::string>{"labels.by_number 2 portal_vein"}));
+  QCOMPARE(script_->state()[part::labels]->voxels.at({2, 1, 1}), structure::kPortalVein);
 }
 
 void DicomLabelsTest::NamedSegmentsThatMeanNothingAreRefused() {

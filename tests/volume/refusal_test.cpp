@@ -2,6 +2,7 @@
 #include <QTest>
 #include <cstring>
 #include <fstream>
+#include <map>
 
 #include "dicom_bytes.h"
 #include "glisson/core/error.h"
@@ -65,6 +66,8 @@ class RefusalTest : public QObject {
   void LabelsThatAreNoLabels();
   void VtiKeepsOriginExtentAndDirection();
   void LayersOfASegmentationAreFlattened();
+  void WhatNoSegmentNamesIsThereWithoutAName();
+  void TheModalityIsKnownWhateverItsCase();
   void TheReaderCanBeMissing();
   void WritersRefuseWhatTheyCannotWrite();
   void DamagedFilesNeverTakeTheProcessDown_data();
@@ -259,6 +262,54 @@ void RefusalTest::LayersOfASegmentationAreFlattened() {
   QCOMPARE(counts[labels.infos[1].code], 6L);
   put_text(folder.path() / "a.seg.nrrd", file("7"));
   QVERIFY_THROWS_EXCEPTION(InputError, read_labels(folder.path() / "a.seg.nrrd"));
+}
+
+void RefusalTest::WhatNoSegmentNamesIsThereWithoutAName() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.seg.nrrd";
+  const std::string space = "space: left-posterior-superior\nspace origin: (0,0,0)\nspace directions: ",
+                    keys =
+                        "\nSegment0_ID:=a\nSegment0_Name:=liver\nSegment0_LabelValue:=3\n"
+                        "Segment0_Layer:=0";
+  const auto found = [&] {
+    const LabelFile file = read_labels(path);
+    const std::vector<long> counts = file.voxels.histogram();
+    std::map<std::string, std::vector<long>> voxels;  // of the labels with each name
+    for (const LabelInfo& info : file.infos)
+      voxels[info.name].push_back(info.code < counts.size() ? counts[info.code] : 0);
+    return voxels;
+  };
+  // One layer: the liver, and two voxels of a segment whose keys were lost.
+  const std::string one = "dimension: 3\nsizes: 2 2 2\n" + space + "(1,0,0) (0,1,0) (0,0,1)" + keys;
+  put_text(path, nrrd_of(one, std::string("\3\3\3\3\3\0\7\7", 8)));
+  const std::map<std::string, std::vector<long>> expected = {{"liver", {5}}, {"", {2}}};
+  QVERIFY(found() == expected);
+  // A key that is missing hides those after it.
+  put_text(path, nrrd_of(one + "\nSegment2_ID:=b\nSegment2_Name:=tumour\nSegment2_LabelValue:=7",
+                         std::string("\3\3\3\3\3\0\7\7", 8)));
+  QVERIFY(found() == expected);
+  // Two layers: the same value in the other one is something else, and was left out without a word.
+  const std::string two = "dimension: 4\nsizes: 2 2 2 2\nkinds: list domain domain domain\n" + space +
+                          "none (1,0,0) (0,1,0) (0,0,1)" + keys;
+  for (const char other : {'\7', '\3'}) {
+    std::string data;
+    for (int voxel = 0; voxel < 8; ++voxel) data += {'\3', voxel < 2 ? other : '\0'};
+    put_text(path, nrrd_of(two, data));
+    QVERIFY((found() == std::map<std::string, std::vector<long>>{{"liver", {6}}, {"", {2}}}));
+  }
+}
+
+void RefusalTest::TheModalityIsKnownWhateverItsCase() {
+  const TemporaryFolder folder;
+  for (const auto& [word, modality] :
+       {std::pair("CT", Modality::ct), {"ct", Modality::ct}, {"MR", Modality::mr}, {"US", Modality::other}}) {
+    put_text(folder.path() / "a.nrrd",
+             nrrd_of("dimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\nspace origin: (0,0,0)\n"
+                     "space directions: (1,0,0) (0,1,0) (0,0,1)\nmodality:=" +
+                         std::string(word),
+                     "12345678"));
+    QCOMPARE(read_image(folder.path() / "a.nrrd", RunContext())->modality, modality);
+  }
 }
 
 void RefusalTest::TheReaderCanBeMissing() {

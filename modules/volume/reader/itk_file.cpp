@@ -108,7 +108,7 @@ RawVolume read_itk_file(const Request& request) {
   request.progress(0.1);
   raw.voxels = read_buffer(request, *io);
   if (const auto modality = raw.texts.find("modality"); modality != raw.texts.end())
-    raw.modality = modality->second;
+    raw.modality = lower_case(modality->second);  // DICOM's own word is "CT"
   return raw;
 }
 

@@ -302,8 +302,8 @@ DicomLabels read_labels_of(const fs::path& path) {
   const auto values =
       read_raw<Label>(delivered.voxels, static_cast<std::size_t>(delivered.grid.voxel_count()) *
                                             static_cast<std::size_t>(delivered.components));
-  const std::vector<SlicerSegment> segments =
-      slicer_segments(path.string(), delivered.texts, delivered.components);
+  std::vector<SlicerSegment> segments = slicer_segments(path.string(), delivered.texts, delivered.components);
+  if (!segments.empty()) segments = with_unnamed(std::move(segments), delivered.components, values);
   LabelFile& file = labels.file;
   if (delivered.components > 1) {
     file = flattened(delivered.grid, delivered.components, values, segments);

@@ -81,6 +81,28 @@ std::vector<SlicerSegment> slicer_segments(const std::string& name, const Texts&
   return segments;
 }
 
+std::vector<SlicerSegment> with_unnamed(std::vector<SlicerSegment> segments, int layers,
+                                        const std::vector<Label>& voxels) {
+  const auto count = static_cast<std::size_t>(layers);
+  std::vector<std::vector<bool>> known(count, std::vector<bool>(65536, false));
+  for (std::vector<bool>& values : known) values[0] = true;  // the background
+  for (const SlicerSegment& segment : segments)
+    known[static_cast<std::size_t>(segment.layer)][segment.value] = true;
+  std::set<std::pair<int, Label>> unnamed;
+  for (std::size_t n = 0; n < voxels.size(); ++n)
+    if (!known[n % count][voxels[n]]) {
+      known[n % count][voxels[n]] = true;
+      unnamed.emplace(static_cast<int>(n % count), voxels[n]);
+    }
+  for (const auto& [layer, value] : unnamed) {
+    SlicerSegment segment;
+    segment.value = value;
+    segment.layer = layer;
+    segments.push_back(segment);
+  }
+  return segments;
+}
+
 LabelFile flattened(const VolumeGrid& grid, int layers, const std::vector<Label>& voxels,
                     const std::vector<SlicerSegment>& segments) {
   const auto count = static_cast<std::size_t>(grid.voxel_count());
