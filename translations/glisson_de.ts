@@ -6541,6 +6541,10 @@
         <translation>Labels, über die die Codes nichts sagen, wurden weggelassen: %*.</translation>
     </message>
     <message>
+        <source>The mesh does not say what its labels mean. They were taken as Glisson&apos;s own: %*. If they mean something else, write Glisson&apos;s into it: 1 is the parenchyma, 16 the first lesion.</source>
+        <translation>Das Netz sagt nicht, was seine Labels bedeuten. Sie wurden als Glissons eigene genommen: %*. Bedeuten sie etwas anderes, schreiben Sie Glissons hinein: 1 ist das Parenchym, 16 die erste Läsion.</translation>
+    </message>
+    <message>
         <source>The file does not say what its numbers mean. They were taken as Glisson&apos;s own: %*. If they mean something else, import it again by &apos;glisson model --labels FILE --codes FILE&apos;.</source>
         <translation>Die Datei sagt nicht, was ihre Zahlen bedeuten. Sie wurden als Glissons eigene genommen: %*. Bedeuten sie etwas anderes, mit „glisson model --labels DATEI --codes DATEI“ erneut importieren.</translation>
     </message>

@@ -6541,6 +6541,10 @@
         <translation>Des étiquettes dont les codes ne disent rien ont été laissées de côté : %*.</translation>
     </message>
     <message>
+        <source>The mesh does not say what its labels mean. They were taken as Glisson&apos;s own: %*. If they mean something else, write Glisson&apos;s into it: 1 is the parenchyma, 16 the first lesion.</source>
+        <translation>Le maillage ne dit pas ce que signifient ses labels. Ils ont été pris pour ceux de Glisson : %*. S’ils signifient autre chose, écrivez-y ceux de Glisson : 1 est le parenchyme, 16 la première lésion.</translation>
+    </message>
+    <message>
         <source>The file does not say what its numbers mean. They were taken as Glisson&apos;s own: %*. If they mean something else, import it again by &apos;glisson model --labels FILE --codes FILE&apos;.</source>
         <translation>Le fichier ne dit pas ce que signifient ses nombres. Ils ont été pris pour ceux de Glisson : %*. S’ils signifient autre chose, réimportez-le par « glisson model --labels FICHIER --codes FICHIER ».</translation>
     </message>

@@ -40,6 +40,7 @@ class QualityTest : public QObject {
   void TreesAreCounted();
   void NothingIsMeasuredOnNothing();
   void AnImportedMeshIsComparedWithNoOrgan();
+  void NumbersOfAnImportedMeshAreTold();
 };
 
 void QualityTest::RegularTetrahedronHasItsAngles() {
@@ -119,6 +120,28 @@ void QualityTest::AnImportedMeshIsComparedWithNoOrgan() {
   QCOMPARE(quality.tetrahedra, 2);
   QVERIFY(quality.min_dihedral_deg > 0.0);
   QVERIFY(!quality.organ_fit);
+}
+
+void QualityTest::NumbersOfAnImportedMeshAreTold() {
+  const auto built = [](const std::vector<int>& labels) {
+    TetMesh mesh = two_tetrahedra();
+    mesh.labels = labels;
+    return model::build_from_mesh(mesh);
+  };
+  // 2 is somebody's tumour, and 65552 is 16 in sixteen bits.
+  for (const auto& [labels, told] : {std::pair(std::vector{1, 16}, "1 parenchyma, 16 lesion_1"),
+                                     {std::vector{1, 2}, "1 parenchyma, 2 parenchyma"},
+                                     {std::vector{0, 65552}, "0 parenchyma, 65552 parenchyma"}}) {
+    const model::BuiltModel mesh = built(labels);
+    QCOMPARE(mesh.report.notes, (std::vector<std::string>{std::string("mesh.labels_by_number ") + told}));
+    QCOMPARE(lesion_centres(mesh.model).size(), labels[1] == 16 ? 1U : 0U);
+    for (const int label : mesh.model.mesh.labels) QVERIFY(label == 1 || label == 16);
+  }
+  // One number parts nothing, whichever: as gmsh numbers a volume after some surfaces.
+  for (const std::vector<int>& labels : {std::vector<int>{}, {1, 1}, {20, 20}}) {
+    const model::BuiltModel mesh = built(labels);
+    QVERIFY(mesh.report.notes.empty() && lesion_centres(mesh.model).empty());
+  }
 }
 
 QTEST_APPLESS_MAIN(QualityTest)

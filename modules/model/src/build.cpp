@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "anatomy.h"
 #include "fit_to_surface.h"
@@ -139,6 +140,26 @@ Cancellable<BuiltModel> build(const Source& source, const ModelOptions& options,
   return assemble(std::move(*anatomy), options, context.part(0.2, 1.0));
 }
 
+/// Labels of a mesh are numbers without names: those of lesions are taken for Glisson's, all others are the
+/// parenchyma. Other programs number otherwise (2 is the tumour, as often as not), so that it is told. Where
+/// all are one, whichever, they part nothing: no lesion is the whole organ.
+void take_labels(TetMesh& mesh, std::vector<std::string>& notes) {
+  constexpr std::size_t kNamed = 12;
+  const std::set<int> codes(mesh.labels.begin(), mesh.labels.end());
+  const auto meant = [&codes](int code) {
+    const bool is_lesions =
+        codes.size() > 1 && code >= structure::kFirstLesion && code <= structure::kLastLesion;
+    return is_lesions ? static_cast<Label>(code) : structure::kParenchyma;
+  };
+  std::string told;
+  std::size_t count = 0;
+  for (const int code : codes)
+    if (++count <= kNamed)
+      told += (told.empty() ? "" : ", ") + std::to_string(code) + ' ' + structure_name(meant(code));
+  if (count > 1) notes.push_back("mesh.labels_by_number " + told + (count > kNamed ? ", ..." : ""));
+  for (int& label : mesh.labels) label = meant(label);
+}
+
 }  // namespace
 
 void count_vessel_nodes(const PatientModel& model, std::vector<std::string>& notes) {
@@ -172,6 +193,7 @@ Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const Mo
 
 BuiltModel build_from_mesh(TetMesh mesh) {
   BuiltModel built;
+  take_labels(mesh, built.report.notes);
   built.model.mesh = std::move(mesh);
   built.model.surface = boundary_surface(built.model.mesh);
   built.model.surfaces.push_back(

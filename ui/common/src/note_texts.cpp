@@ -104,6 +104,9 @@ class Notes {
          tr("%1 (%3 mm across) is too small for elements of its own; it follows the tissue around it.")},
         {"lesion.without_tetrahedra", tr("%1 got no elements of its own; it follows the tissue around it.")},
         {"mesh.boundary_not_manifold", tr("The mesh's surface is not a clean closed one.")},
+        {"mesh.labels_by_number",
+         tr("The mesh does not say what its labels mean. They were taken as Glisson's own: %*. If they mean "
+            "something else, write Glisson's into it: 1 is the parenchyma, 16 the first lesion.")},
         {"mesh.sliver_deg", tr("The flattest element has an angle of %1°.")},
         {"mesh.vertices_off_target", tr("The mesh has %1 vertices, not as many as asked for.")},
         {"surfaces.of_one_name", tr("The file %1 was not used: %2 shows the same structure.")},
