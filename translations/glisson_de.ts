@@ -5819,6 +5819,70 @@
         <source>contradicts BinaryDataByteOrderMSB</source>
         <translation>widerspricht BinaryDataByteOrderMSB</translation>
     </message>
+    <message>
+        <source>is not kept</source>
+        <translation>ist nicht aufgehoben</translation>
+    </message>
+    <message>
+        <source>finds no room: the pictures of all moments may take 1 GiB</source>
+        <translation>findet keinen Platz: Die Bilder aller Momente dürfen 1 GiB einnehmen</translation>
+    </message>
+    <message>
+        <source>is longer than a title can be</source>
+        <translation>ist länger, als ein Titel sein kann</translation>
+    </message>
+    <message>
+        <source>is no time</source>
+        <translation>ist kein Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>is that of another moment</source>
+        <translation>ist die eines anderen Moments</translation>
+    </message>
+    <message>
+        <source>does not hold one frame</source>
+        <translation>enthält nicht genau ein Bild</translation>
+    </message>
+    <message>
+        <source>is not the picture that was kept</source>
+        <translation>ist nicht das Bild, das aufgehoben wurde</translation>
+    </message>
+    <message>
+        <source>names a moment twice</source>
+        <translation>nennt einen Moment zweimal</translation>
+    </message>
+    <message>
+        <source>holds a number that is not finite</source>
+        <translation>enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>Keep a moment of the live view first</source>
+        <translation>Heben Sie zuerst einen Moment der Live-Ansicht auf</translation>
+    </message>
+    <message>
+        <source>Delete moments that are not needed any more</source>
+        <translation>Löschen Sie Momente, die nicht mehr gebraucht werden</translation>
+    </message>
+    <message>
+        <source>Choose it in the list</source>
+        <translation>Wählen Sie ihn in der Liste</translation>
+    </message>
+    <message>
+        <source>Choose one of the list</source>
+        <translation>Wählen Sie einen aus der Liste</translation>
+    </message>
+    <message>
+        <source>Shorten it to 200 letters</source>
+        <translation>Kürzen Sie ihn auf 200 Buchstaben</translation>
+    </message>
+    <message>
+        <source>Keep another frame</source>
+        <translation>Heben Sie ein anderes Bild auf</translation>
+    </message>
+    <message>
+        <source>Free some memory</source>
+        <translation>Geben Sie Arbeitsspeicher frei</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6656,6 +6720,10 @@
         <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
         <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
     </message>
+    <message>
+        <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>
+        <translation>Der Fall wurde ohne einen aufgehobenen Moment geöffnet, der nicht gelesen werden kann. Die anderen sind da. (%*)</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -6794,6 +6862,10 @@
     <message>
         <source>No operations have been simulated on this model: register it.</source>
         <translation>Auf diesem Modell wurden keine Operationen simuliert: registrieren Sie es.</translation>
+    </message>
+    <message>
+        <source>No moment of the live view is kept (Guidance).</source>
+        <translation>Kein Moment der Live-Ansicht ist aufgehoben (Navigation).</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7881,18 @@
     <message>
         <source>Building an atlas</source>
         <translation>Ein Atlas wird gebaut</translation>
+    </message>
+    <message>
+        <source>Keeping the moment</source>
+        <translation>Moment wird aufgehoben</translation>
+    </message>
+    <message>
+        <source>Storing a moment&apos;s title</source>
+        <translation>Titel eines Moments wird abgelegt</translation>
+    </message>
+    <message>
+        <source>Deleting a moment</source>
+        <translation>Moment wird gelöscht</translation>
     </message>
 </context>
 <context>
@@ -9456,6 +9540,22 @@
         <source>%1 holds what was finished (%2), marked as incomplete.</source>
         <translation>Was fertig war (%2), liegt in %1, als unvollständig gekennzeichnet.</translation>
     </message>
+    <message>
+        <source>Lists the moments of the live view that a case keeps: number, frame, time in the video, when it was kept, level, title. With --out it writes them: of each the picture with its overlay, both raw pictures, and what was known (JSON). No file names the patient, but a title may.</source>
+        <translation>Listet die Momente der Live-Ansicht, die ein Fall aufhebt: Nummer, Bild, Zeit im Video, wann er aufgehoben wurde, Stufe, Titel. Mit --out werden sie geschrieben: von jedem das Bild mit seiner Einblendung, beide Rohbilder und was bekannt war (JSON). Keine Datei nennt den Patienten, ein Titel kann es.</translation>
+    </message>
+    <message>
+        <source>A folder for the pictures; files of the same name are replaced.</source>
+        <translation>Ein Ordner für die Bilder; Dateien desselben Namens werden ersetzt.</translation>
+    </message>
+    <message>
+        <source>Without an overlay, because model or calibration were made anew since: %1.</source>
+        <translation>Ohne Einblendung, weil Modell oder Kalibrierung seither neu gemacht wurden: %1.</translation>
+    </message>
+    <message>
+        <source>List and write the moments of the live view that a case keeps</source>
+        <translation>Die Momente der Live-Ansicht, die ein Fall aufhebt, listen und schreiben</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>
@@ -10376,6 +10476,10 @@
         <source>The raw picture beside the overlay (B)</source>
         <translation>Das rohe Bild neben der Einblendung (B)</translation>
     </message>
+    <message>
+        <source>Back to live (Esc)</source>
+        <translation>Zurück zu live (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LiveViewModel</name>
@@ -10486,6 +10590,22 @@
     <message>
         <source>A former picture, not live.</source>
         <translation>Ein früheres Bild, nicht live.</translation>
+    </message>
+    <message>
+        <source>KEPT MOMENT %1 – NOT LIVE</source>
+        <translation>AUFGEHOBENER MOMENT %1 – NICHT LIVE</translation>
+    </message>
+    <message>
+        <source>Kept moment %1, not live: %2</source>
+        <translation>Aufgehobener Moment %1, nicht live: %2</translation>
+    </message>
+    <message>
+        <source>Model or calibration were made anew since: its overlay cannot be drawn as it was. The picture is shown without.</source>
+        <translation>Modell oder Kalibrierung wurden seither neu gemacht: Seine Einblendung kann nicht gezeichnet werden, wie sie war. Das Bild wird ohne sie gezeigt.</translation>
+    </message>
+    <message>
+        <source>Kept moment %1, frame %2, not live</source>
+        <translation>Aufgehobener Moment %1, Bild %2, nicht live</translation>
     </message>
 </context>
 <context>
@@ -13438,6 +13558,29 @@ Mode %3 bei %4 Abweichungen
     </message>
 </context>
 <context>
+    <name>MomentTexts</name>
+    <message>
+        <source>at an unknown time</source>
+        <translation>zu unbekannter Zeit</translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s, kept %3</source>
+        <translation>Bild %1, %2 s, aufgehoben %3</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>outline only: %1</source>
+        <translation>nur Umriss: %1</translation>
+    </message>
+    <message>
+        <source>no overlay: %1</source>
+        <translation>keine Einblendung: %1</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::MeasureBook</name>
     <message>
         <source>%1 mm</source>
@@ -13446,6 +13589,100 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MomentsBox</name>
+    <message>
+        <source>Keep this moment</source>
+        <translation>Diesen Moment aufheben</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>Zurück zu live</translation>
+    </message>
+    <message>
+        <source>Back to live (Esc in the picture)</source>
+        <translation>Zurück zu live (Esc im Bild)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen moment</source>
+        <translation>Den gewählten Moment löschen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last deletion or title back</source>
+        <translation>Das letzte Löschen oder den letzten Titel zurücknehmen</translation>
+    </message>
+    <message>
+        <source>A click shows the moment as it was. The live video goes on meanwhile.</source>
+        <translation>Ein Klick zeigt den Moment, wie er war. Das Live-Video läuft währenddessen weiter.</translation>
+    </message>
+    <message>
+        <source>Title of the chosen moment</source>
+        <translation>Titel des gewählten Moments</translation>
+    </message>
+    <message>
+        <source>Keep both pictures, the overlay and its numbers in the case (K in the picture)</source>
+        <translation>Beide Bilder, die Einblendung und ihre Zahlen im Fall aufheben (K im Bild)</translation>
+    </message>
+    <message>
+        <source>Moment %1</source>
+        <translation>Moment %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MomentsModel</name>
+    <message>
+        <source>A kept moment is on the screen. Go back to live (Esc), then keep another one.</source>
+        <translation>Ein aufgehobener Moment ist auf dem Bildschirm. Gehen Sie zurück zu live (Esc), dann heben Sie einen anderen auf.</translation>
+    </message>
+    <message>
+        <source>A former frame is on the screen, of which the raw pictures are not there any more. Go back to live (End).</source>
+        <translation>Ein früheres Bild ist auf dem Bildschirm, dessen Rohbilder nicht mehr da sind. Gehen Sie zurück zu live (Ende).</translation>
+    </message>
+    <message>
+        <source>Nothing is followed: start tracking, then keep a moment.</source>
+        <translation>Nichts wird verfolgt: Beginnen Sie die Verfolgung, dann heben Sie einen Moment auf.</translation>
+    </message>
+    <message>
+        <source>There is no video: open one and track it, then keep a moment.</source>
+        <translation>Es gibt kein Video: Öffnen Sie eines und verfolgen Sie es, dann heben Sie einen Moment auf.</translation>
+    </message>
+    <message>
+        <source>The overlay is being prepared: there is nothing to keep yet.</source>
+        <translation>Die Einblendung wird vorbereitet: Es gibt noch nichts aufzuheben.</translation>
+    </message>
+    <message>
+        <source>Frame %1 is being kept.</source>
+        <translation>Bild %1 wird aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Too many moments are being kept at once. Wait, then keep this one again.</source>
+        <translation>Zu viele Momente werden zugleich aufgehoben. Warten Sie, dann heben Sie diesen nochmals auf.</translation>
+    </message>
+    <message>
+        <source>Moment %1 is kept.</source>
+        <translation>Moment %1 ist aufgehoben.</translation>
+    </message>
+    <message>
+        <source>This case is open for reading: save it under another name, or the moment is lost with the window.</source>
+        <translation>Dieser Fall ist nur zum Lesen geöffnet: Speichern Sie ihn unter einem anderen Namen, sonst geht der Moment mit dem Fenster verloren.</translation>
+    </message>
+    <message>
+        <source>Moment %1 is deleted. Undo brings it back.</source>
+        <translation>Moment %1 ist gelöscht. Rückgängig holt ihn zurück.</translation>
     </message>
 </context>
 <context>

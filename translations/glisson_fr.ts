@@ -5819,6 +5819,70 @@
         <source>contradicts BinaryDataByteOrderMSB</source>
         <translation>contredit BinaryDataByteOrderMSB</translation>
     </message>
+    <message>
+        <source>is not kept</source>
+        <translation>n&apos;est pas conservé</translation>
+    </message>
+    <message>
+        <source>finds no room: the pictures of all moments may take 1 GiB</source>
+        <translation>ne trouve pas de place : les images de tous les instants peuvent occuper 1 Gio</translation>
+    </message>
+    <message>
+        <source>is longer than a title can be</source>
+        <translation>est plus long qu&apos;un titre ne peut l&apos;être</translation>
+    </message>
+    <message>
+        <source>is no time</source>
+        <translation>n&apos;est pas un moment valable</translation>
+    </message>
+    <message>
+        <source>is that of another moment</source>
+        <translation>est celui d&apos;un autre instant</translation>
+    </message>
+    <message>
+        <source>does not hold one frame</source>
+        <translation>ne contient pas exactement une image</translation>
+    </message>
+    <message>
+        <source>is not the picture that was kept</source>
+        <translation>n&apos;est pas l&apos;image qui a été conservée</translation>
+    </message>
+    <message>
+        <source>names a moment twice</source>
+        <translation>nomme un instant deux fois</translation>
+    </message>
+    <message>
+        <source>holds a number that is not finite</source>
+        <translation>contient un nombre qui n&apos;est pas fini</translation>
+    </message>
+    <message>
+        <source>Keep a moment of the live view first</source>
+        <translation>Conservez d&apos;abord un instant de la vue en direct</translation>
+    </message>
+    <message>
+        <source>Delete moments that are not needed any more</source>
+        <translation>Supprimez les instants dont vous n&apos;avez plus besoin</translation>
+    </message>
+    <message>
+        <source>Choose it in the list</source>
+        <translation>Choisissez-le dans la liste</translation>
+    </message>
+    <message>
+        <source>Choose one of the list</source>
+        <translation>Choisissez-en un dans la liste</translation>
+    </message>
+    <message>
+        <source>Shorten it to 200 letters</source>
+        <translation>Raccourcissez-le à 200 lettres</translation>
+    </message>
+    <message>
+        <source>Keep another frame</source>
+        <translation>Conservez une autre image</translation>
+    </message>
+    <message>
+        <source>Free some memory</source>
+        <translation>Libérez de la mémoire</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6656,6 +6720,10 @@
         <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
         <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
     </message>
+    <message>
+        <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>
+        <translation>Le cas a été ouvert sans un instant conservé, qui ne peut pas être lu. Les autres sont là. (%*)</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -6794,6 +6862,10 @@
     <message>
         <source>No operations have been simulated on this model: register it.</source>
         <translation>Aucune opération n’a été simulée sur ce modèle : recalez-le.</translation>
+    </message>
+    <message>
+        <source>No moment of the live view is kept (Guidance).</source>
+        <translation>Aucun instant de la vue en direct n&apos;est conservé (Guidage).</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7881,18 @@
     <message>
         <source>Building an atlas</source>
         <translation>Construction d&apos;un atlas</translation>
+    </message>
+    <message>
+        <source>Keeping the moment</source>
+        <translation>Conservation de l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Storing a moment&apos;s title</source>
+        <translation>Enregistrement du titre d&apos;un instant</translation>
+    </message>
+    <message>
+        <source>Deleting a moment</source>
+        <translation>Suppression d&apos;un instant</translation>
     </message>
 </context>
 <context>
@@ -9456,6 +9540,22 @@
         <source>%1 holds what was finished (%2), marked as incomplete.</source>
         <translation>%1 contient ce qui était terminé (%2), marqué comme incomplet.</translation>
     </message>
+    <message>
+        <source>Lists the moments of the live view that a case keeps: number, frame, time in the video, when it was kept, level, title. With --out it writes them: of each the picture with its overlay, both raw pictures, and what was known (JSON). No file names the patient, but a title may.</source>
+        <translation>Liste les instants de la vue en direct qu&apos;un cas conserve : numéro, image, temps dans la vidéo, date de conservation, niveau, titre. Avec --out, les écrit : de chacun l&apos;image avec sa superposition, les deux images brutes et ce qui était connu (JSON). Aucun fichier ne nomme le patient, mais un titre peut le faire.</translation>
+    </message>
+    <message>
+        <source>A folder for the pictures; files of the same name are replaced.</source>
+        <translation>Un dossier pour les images ; les fichiers du même nom sont remplacés.</translation>
+    </message>
+    <message>
+        <source>Without an overlay, because model or calibration were made anew since: %1.</source>
+        <translation>Sans superposition, parce que le modèle ou l&apos;étalonnage ont été refaits depuis : %1.</translation>
+    </message>
+    <message>
+        <source>List and write the moments of the live view that a case keeps</source>
+        <translation>Lister et écrire les instants de la vue en direct qu&apos;un cas conserve</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>
@@ -10376,6 +10476,10 @@
         <source>The raw picture beside the overlay (B)</source>
         <translation>L&apos;image brute à côté de la superposition (B)</translation>
     </message>
+    <message>
+        <source>Back to live (Esc)</source>
+        <translation>Retour au direct (Échap)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LiveViewModel</name>
@@ -10486,6 +10590,22 @@
     <message>
         <source>A former picture, not live.</source>
         <translation>Une image antérieure, pas en direct.</translation>
+    </message>
+    <message>
+        <source>KEPT MOMENT %1 – NOT LIVE</source>
+        <translation>INSTANT CONSERVÉ %1 – PAS EN DIRECT</translation>
+    </message>
+    <message>
+        <source>Kept moment %1, not live: %2</source>
+        <translation>Instant conservé %1, pas en direct : %2</translation>
+    </message>
+    <message>
+        <source>Model or calibration were made anew since: its overlay cannot be drawn as it was. The picture is shown without.</source>
+        <translation>Le modèle ou l&apos;étalonnage ont été refaits depuis : sa superposition ne peut pas être dessinée telle qu&apos;elle était. L&apos;image est montrée sans elle.</translation>
+    </message>
+    <message>
+        <source>Kept moment %1, frame %2, not live</source>
+        <translation>Instant conservé %1, image %2, pas en direct</translation>
     </message>
 </context>
 <context>
@@ -13438,6 +13558,29 @@ Mode %3 à %4 écarts types
     </message>
 </context>
 <context>
+    <name>MomentTexts</name>
+    <message>
+        <source>at an unknown time</source>
+        <translation>à un moment inconnu</translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s, kept %3</source>
+        <translation>image %1, %2 s, conservée %3</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>valide</translation>
+    </message>
+    <message>
+        <source>outline only: %1</source>
+        <translation>contour seul : %1</translation>
+    </message>
+    <message>
+        <source>no overlay: %1</source>
+        <translation>pas de superposition : %1</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::MeasureBook</name>
     <message>
         <source>%1 mm</source>
@@ -13446,6 +13589,100 @@ Mode %3 à %4 écarts types
     <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MomentsBox</name>
+    <message>
+        <source>Keep this moment</source>
+        <translation>Conserver cet instant</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>Retour au direct</translation>
+    </message>
+    <message>
+        <source>Back to live (Esc in the picture)</source>
+        <translation>Retour au direct (Échap dans l&apos;image)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the chosen moment</source>
+        <translation>Supprimer l&apos;instant choisi</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take the last deletion or title back</source>
+        <translation>Reprendre la dernière suppression ou le dernier titre</translation>
+    </message>
+    <message>
+        <source>A click shows the moment as it was. The live video goes on meanwhile.</source>
+        <translation>Un clic montre l&apos;instant tel qu&apos;il était. La vidéo en direct continue pendant ce temps.</translation>
+    </message>
+    <message>
+        <source>Title of the chosen moment</source>
+        <translation>Titre de l&apos;instant choisi</translation>
+    </message>
+    <message>
+        <source>Keep both pictures, the overlay and its numbers in the case (K in the picture)</source>
+        <translation>Conserver les deux images, la superposition et ses chiffres dans le cas (K dans l&apos;image)</translation>
+    </message>
+    <message>
+        <source>Moment %1</source>
+        <translation>Instant %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MomentsModel</name>
+    <message>
+        <source>A kept moment is on the screen. Go back to live (Esc), then keep another one.</source>
+        <translation>Un instant conservé est à l&apos;écran. Revenez au direct (Échap), puis conservez-en un autre.</translation>
+    </message>
+    <message>
+        <source>A former frame is on the screen, of which the raw pictures are not there any more. Go back to live (End).</source>
+        <translation>Une image antérieure est à l&apos;écran, dont les images brutes ne sont plus là. Revenez au direct (Fin).</translation>
+    </message>
+    <message>
+        <source>Nothing is followed: start tracking, then keep a moment.</source>
+        <translation>Rien n&apos;est suivi : commencez le suivi, puis conservez un instant.</translation>
+    </message>
+    <message>
+        <source>There is no video: open one and track it, then keep a moment.</source>
+        <translation>Il n&apos;y a pas de vidéo : ouvrez-en une et suivez-la, puis conservez un instant.</translation>
+    </message>
+    <message>
+        <source>The overlay is being prepared: there is nothing to keep yet.</source>
+        <translation>La superposition est en préparation : il n&apos;y a encore rien à conserver.</translation>
+    </message>
+    <message>
+        <source>Frame %1 is being kept.</source>
+        <translation>L&apos;image %1 est en cours de conservation.</translation>
+    </message>
+    <message>
+        <source>Too many moments are being kept at once. Wait, then keep this one again.</source>
+        <translation>Trop d&apos;instants sont conservés à la fois. Attendez, puis conservez de nouveau celui-ci.</translation>
+    </message>
+    <message>
+        <source>Moment %1 is kept.</source>
+        <translation>L&apos;instant %1 est conservé.</translation>
+    </message>
+    <message>
+        <source>This case is open for reading: save it under another name, or the moment is lost with the window.</source>
+        <translation>Ce cas est ouvert en lecture : enregistrez-le sous un autre nom, sinon l&apos;instant est perdu avec la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Moment %1 is deleted. Undo brings it back.</source>
+        <translation>L&apos;instant %1 est supprimé. Annuler le fait revenir.</translation>
     </message>
 </context>
 <context>

@@ -68,18 +68,19 @@ struct PictureReader::Impl {
 PictureReader::PictureReader() : impl_(std::make_unique<Impl>()) {}
 PictureReader::~PictureReader() = default;
 
-Picture PictureReader::read(const fs::path& path) {
-  const std::string content = read_file(path);
+Picture PictureReader::read(const fs::path& path) { return decode(read_file(path), path.string()); }
+
+Picture PictureReader::decode(const std::string& content, const std::string& name) {
   const auto header = picture_header(content);
   if (header && header->width > kMostPixels / header->height)
-    throw InputError(path.string(), "size",
+    throw InputError(name, "size",
                      "claims " + std::to_string(header->width) + " x " + std::to_string(header->height) +
                          " pixels, more than any camera has",
                      "The file is damaged: copy it again");
   Picture picture;
   if (header && has_its_end(content)) picture = impl_->decoded(content, *header);
   if (picture.empty())
-    throw InputError(path.string(), "", "is not a whole picture that can be read",
+    throw InputError(name, "", "is not a whole picture that can be read",
                      "Use PNG, JPEG, BMP or TIFF, and copy it again if it was cut off");
   return picture;
 }

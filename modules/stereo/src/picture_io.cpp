@@ -6,6 +6,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/stereo/png.h"
 #include "picture_cv.h"
 
 namespace glisson::stereo {
@@ -53,6 +54,13 @@ void write_picture(const std::filesystem::path& path, const Picture& picture) {
   if (!cv::imencode(extension, view(picture), bytes))
     throw FileError(path.string() + ": the picture could not be encoded. Use .png.");
   write_file_atomically(path, std::string(bytes.begin(), bytes.end()));
+}
+
+std::string png_of(const Picture& picture) {
+  std::vector<std::uint8_t> bytes;
+  if (!cv::imencode(".png", view(picture), bytes))
+    throw FileError("PNG: the picture could not be encoded. Free some memory.");
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace glisson::stereo

@@ -251,6 +251,8 @@ class Notes {
         {"case.video_lost",
          tr("The case was opened without its video: it names a source outside this computer, which only "
             "you may open. (%*)")},
+        {"case.moment_lost",
+         tr("The case was opened without a kept moment, which cannot be read. The others are there. (%*)")},
         {"labels.other_frame", tr("The segmentation names another DICOM frame of reference than the CT, as "
                                   "one of another scan does: "
                                   "check in the slices that it lies on this liver.")},

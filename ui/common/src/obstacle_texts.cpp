@@ -33,6 +33,7 @@ class Obstacles {
             {"review", tr("Review the labels first (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
             {"earlier_looks", tr("No earlier look is kept (Stereo).")},
+            {"moments", tr("No moment of the live view is kept (Guidance).")},
             {"former_registration", tr("There is no former registration to go back to.")},
             {"tissue", tr("Nobody has said how stiff the liver is (Model).")},
             {"operations", tr("No operations have been simulated on this model: register it.")},

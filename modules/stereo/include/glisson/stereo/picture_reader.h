@@ -21,6 +21,8 @@ class PictureReader {
   /// PNG, JPEG, BMP or TIFF, up to 64 million pixels; 8 bits, as the sensor saw it (no rotation by a tag).
   /// @throws FileError, InputError naming the file.
   Picture read(const std::filesystem::path& path);
+  /// The same of a file's bytes. @param name what errors call them.
+  Picture decode(const std::string& content, const std::string& name);
 
  private:
   struct Impl;
