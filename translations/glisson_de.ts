@@ -13579,6 +13579,10 @@ Mode %3 bei %4 Abweichungen
         <source>no overlay: %1</source>
         <translation>keine Einblendung: %1</translation>
     </message>
+    <message>
+        <source>frame %1, %2</source>
+        <translation>Bild %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::MeasureBook</name>

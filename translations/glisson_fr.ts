@@ -13579,6 +13579,10 @@ Mode %3 à %4 écarts types
         <source>no overlay: %1</source>
         <translation>pas de superposition : %1</translation>
     </message>
+    <message>
+        <source>frame %1, %2</source>
+        <translation>image %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::MeasureBook</name>

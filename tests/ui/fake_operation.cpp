@@ -43,6 +43,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/moments.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/registration.h"
@@ -221,6 +222,8 @@ Cancellable<engine::Applied> FakeOperation::apply(const engine::CaseState& state
   if (const auto* choose = command.as<engine::ChooseRival>()) return choose->apply(state, context);
   if (const auto* undo = command.as<engine::UndoRegistration>()) return undo->apply(state, context);
   if (const auto* open = command.as<engine::OpenCase>()) return open->apply(state, context);
+  if (command.traits().writes == engine::Parts{part::moments})
+    return engine::apply(state, command, context, engine::plain_services());
   if (const auto* keep = command.as<engine::KeepCopy>()) {
     if (!work(context, "case.write")) return {};
     return keep->apply(state, context);

@@ -11,6 +11,7 @@
 #include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
 #include "glisson/ui/guidance/mask_box.h"
+#include "glisson/ui/guidance/moments_box.h"
 #include "glisson/ui/guidance/openigtlink_box.h"
 #include "glisson/ui/guidance/organ_view.h"
 #include "glisson/ui/guidance/playback_box.h"
@@ -32,9 +33,10 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       mask_(engine, playback_),
       recording_(worker_, playback_, correction_, again_),
       live_(engine, drawables, playback_, review_, worker_),
+      moments_(engine, playback_, review_, live_),
       openigtlink_(engine, drawables),
       tool_(engine, drawables, playback_, review_, live_),
-      view_(new GuidanceView(new LiveView(live_, review_, correction_, again_),
+      view_(new GuidanceView(new LiveView(live_, review_, correction_, again_, moments_),
                              new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));
   add_section(tr("1. Initial registration"),
@@ -48,6 +50,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   playback->add_beside_stop(recording->button());
   live->addWidget(playback);
   live->addWidget(recording);
+  live->addWidget(new MomentsBox(moments_, this));
   live->addWidget(new CorrectionBox(correction_, this));
   live->addWidget(new AgainBox(again_, this));
   live->addWidget(new MaskBox(mask_, this));
@@ -72,8 +75,13 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   connect(picture, &LivePicture::wheeled, &placing_, &PlacingModel::bring_nearer);
   connect(&placing_, &PlacingModel::moved, this, &GuidancePanel::show_proposed);
   couplings_.add(placing_.is_placing, [this, picture](bool is) {
-    picture->set_placing(is);
+    if (is) moments_.go_live();  // hands move what is drawn
+    picture->set_placing(is && moments_.shown == 0);
     if (is) view_->show_picture();
+  });
+  couplings_.add(moments_.shown, [this, picture](int number) {
+    picture->set_placing(placing_.is_placing && number == 0);
+    if (number != 0) view_->show_picture();
   });
   couplings_.add(correction_.is_correcting, [this](bool is) { live_.show_refuted(is); });
   couplings_.add(registration_.method, [this](registration::Method method) { again_.set_method(method); });

@@ -57,7 +57,25 @@ void LivePicture::set_drag_line(const std::optional<std::pair<Eigen::Vector2d, E
   update();
 }
 
+void LivePicture::set_mark(const QString& words) {
+  mark_ = words;
+  update();
+}
+
 void LivePicture::paint_over(QPainter& painter) {
+  if (!mark_.isEmpty()) {
+    QFont font = painter.font();
+    font.setPointSizeF(1.3 * font.pointSizeF());
+    font.setBold(true);
+    painter.setFont(font);
+    QRectF box = painter.fontMetrics().boundingRect(mark_).adjusted(-12, -6, 12, 6);
+    box.moveCenter(QPointF(0.5 * width(), 0.0));
+    box.moveTop(10.0);
+    painter.setPen(QPen(QColor(255, 207, 112), 2.0));  // as warnings are
+    painter.setBrush(QColor(12, 16, 20, 230));
+    painter.drawRoundedRect(box, 4.0, 4.0);
+    painter.drawText(box, Qt::AlignCenter, mark_);
+  }
   if (!drag_line_) return;
   const QPointF from = widget_point(drag_line_->first), to = widget_point(drag_line_->second);
   // Dark below light: seen on any tissue.

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -20,12 +21,13 @@ constexpr int kLinesHeight = 56;  ///< three lines of the live view's words, pix
 }  // namespace
 
 LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, AgainModel& again,
-                   QWidget* parent)
+                   MomentsModel& moments, QWidget* parent)
     : QWidget(parent),
       model_(model),
       review_(review),
       correction_(correction),
       again_(again),
+      moments_(moments),
       timeline_(new TimelineBar(review, this)),
       picture_(new LivePicture(this)),
       raw_(new PictureView(tr("Raw"), this)) {
@@ -37,6 +39,12 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   banner->setProperty("role", "banner");
   banner->setWordWrap(true);
   layout->addWidget(banner);
+  auto* leave = new QPushButton(tr("Back to live (Esc)"), this);
+  leave->setObjectName(QStringLiteral("leave_kept_moment"));
+  leave->setFocusPolicy(Qt::NoFocus);  // the keys belong to the picture
+  layout->addWidget(leave);
+  connect(leave, &QPushButton::clicked, &moments, &MomentsModel::go_live);
+  couplings_.add(moments.shown, [leave](int number) { leave->setVisible(number != 0); });
   picture_->set_hint(
       tr("Register the model to a frame of the laparoscope; the augmented picture appears here."));
   pictures_ = new QHBoxLayout;
@@ -73,7 +81,9 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
           [&model](const Eigen::Vector2d& pixel) { model.point_at(pixel); });
   connect(picture_, &LivePicture::left, &model, [&model] { model.point_at({}); });
   connect(picture_, &LivePicture::marked, &model, &LiveViewModel::mark_at);
-  connect(picture_, &LivePicture::taken_hold, &correction, &CorrectionModel::grab);
+  connect(picture_, &LivePicture::taken_hold, &correction, [this](const Eigen::Vector2d& pixel) {
+    if (!model_.shows_kept()) correction_.grab(pixel);  // the organ is elsewhere by now
+  });
   connect(picture_, &LivePicture::held_at, &correction, &CorrectionModel::drag_to);
   connect(picture_, &LivePicture::let_go, &correction, &CorrectionModel::let_go);
   couplings_.add(correction.is_correcting, [this](bool is) { picture_->set_correcting(is); });
@@ -83,6 +93,7 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   connect(&model, &LiveViewModel::picture_changed, this, &LiveView::show_picture);
   connect(picture_, &PictureView::drawn, &model, &LiveViewModel::note_drawn);
   couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
+  couplings_.add(model.mark, [this](const QString& words) { picture_->set_mark(words); });
   couplings_.add(model.line, [line](const QString& text) { line->setText(text); });
   couplings_.add(model.is_fresh, [line](const QVariant& is) { set_style_property(line, "fresh", is); });
 }
@@ -133,6 +144,7 @@ void LiveView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Escape:
       if (correction_.line.value()) return correction_.give_up();
+      if (model_.shows_kept()) return moments_.go_live();
       isFullScreen() ? void(close()) : model_.let_go();
       return;
     case Qt::Key_F11:
@@ -141,8 +153,11 @@ void LiveView::keyPressEvent(QKeyEvent* event) {
       return show_raw_->toggle();
     case Qt::Key_P:
       return save_picture();
+    case Qt::Key_K:
+      return moments_.keep();
     case Qt::Key_C:
-      if (correction_.is_offered) correction_.is_correcting = !correction_.is_correcting;
+      if (correction_.is_offered && !model_.shows_kept())
+        correction_.is_correcting = !correction_.is_correcting;
       return;
     case Qt::Key_R:
       return again_.start_or_cancel();
@@ -165,7 +180,7 @@ void LiveView::switch_whole_screen() {
     whole_screen_->close();
     return;
   }
-  whole_screen_ = new LiveView(model_, review_, correction_, again_);
+  whole_screen_ = new LiveView(model_, review_, correction_, again_, moments_);
   whole_screen_->setAttribute(Qt::WA_DeleteOnClose);
   whole_screen_->setObjectName(QStringLiteral("whole_screen_view"));
   whole_screen_->setWindowTitle(window()->windowTitle());  // whose case it is

@@ -91,12 +91,15 @@ OverlayJob LiveViewModel::make_job() {
   job.interest = interest_;
   job.model_unchecked = now[part::model] && !engine::is_model_checked(now);
   job.landmarks = engine::landmark_review(now);
+  job.model_revision = now.stamp(part::model).revision;
+  job.rig_revision = now.stamp(part::rig).revision;
   return job;
 }
 
 void LiveViewModel::read_case() {
   if (const std::uint64_t number = engine_.snapshot()->case_number; number != interest_of_) {
     interest_of_ = number;
+    drop_kept();
     interest_ = {};  // another patient's lesion is not chosen because one of the former was
     chosen = 0;
   }
@@ -108,7 +111,10 @@ void LiveViewModel::read_case() {
   if (begins) live_job_.reset();  // of a former playing
   if (!tracking && was_tracking_) tell_times();
   was_tracking_ = tracking;
-  if (is_still) show_registered();
+  if (kept_)
+    draw_kept();
+  else if (is_still)
+    show_registered();
   // Where no frame comes, as in a pause, nothing else would take the overlay away.
   const bool was_stale = std::exchange(is_stale_, tracking && live_job_ && is_live_stale());
   if (is_stale_ && !was_stale) show_live();
@@ -156,6 +162,7 @@ void LiveViewModel::tell_times() {
 }
 
 void LiveViewModel::redraw() {
+  if (kept_) return draw_kept();
   const bool is_standing = review_.is_reviewing || playback_.is_frozen || playback_.is_paused;
   if (!is_standing) {
     if (!engine_.snapshot()->tracking) show_registered();
@@ -204,7 +211,7 @@ void LiveViewModel::show_registered() {
 void LiveViewModel::propose(std::optional<Proposed> proposed) {
   if (!proposed && !proposed_) return;
   proposed_ = std::move(proposed);
-  if (!playback_.is_tracking && !playback_.is_frozen && !review_.is_reviewing) show_registered();
+  if (!playback_.is_tracking && !playback_.is_frozen && !review_.is_reviewing && !kept_) show_registered();
 }
 
 std::vector<LesionVerdict> LiveViewModel::lesions_at_start(const OverlayFrame& overlay) {
@@ -230,7 +237,7 @@ void LiveViewModel::show_live() {
   job.source_rate = playback_.feed().frames_per_second();
   job.frames_per_second = rate();
   live_job_ = job;
-  submit(std::move(job));
+  kept_ ? draw_unseen(std::move(job)) : submit(std::move(job));
 }
 
 void LiveViewModel::show_refuted(bool on) {
@@ -240,6 +247,7 @@ void LiveViewModel::show_refuted(bool on) {
 }
 
 void LiveViewModel::show_moment(const Moment& moment) {
+  drop_kept();
   ++generation_;
   OverlayJob job = make_job();
   job.frame = moment.left;
@@ -270,7 +278,7 @@ void LiveViewModel::show_recorded(const OverlayFrame& overlay) {
 }
 
 void LiveViewModel::show_frozen() {
-  if (review_.is_reviewing) return;
+  if (review_.is_reviewing || kept_) return;
   banner = playback_.frozen_why.value();
   line = tr("Not live");
   is_fresh = QVariant(false);
@@ -288,6 +296,7 @@ void LiveViewModel::show_painted(const PaintedOverlay& painted) {
   shows_live_ = painted.is_live;
   since_painted_.start();
   show_lesions(painted);
+  if (kept_) return tell_kept(painted);
   if (review_.is_reviewing) return show_recorded(painted.overlay);
   if (playback_.is_frozen) {  // the last live pictures may still come in
     banner = playback_.frozen_why.value();
@@ -305,14 +314,14 @@ void LiveViewModel::show_lesions(const PaintedOverlay& painted) {
   lesions = lesion_rows(overlay.lesions, overlay.level());
   const auto found =
       std::find_if(overlay.lesions.begin(), overlay.lesions.end(),
-                   [this](const LesionVerdict& one) { return one.lesion == interest_.lesion; });
+                   [this](const LesionVerdict& one) { return one.lesion == interest().lesion; });
   numbers = found == overlay.lesions.end() ? FigureRows()
                                            : lesion_figures(*found, overlay.level(), painted.measures);
 }
 
 void LiveViewModel::choose(Label lesion) {
-  if (interest_.lesion == lesion) return;
-  interest_.lesion = chosen = lesion;
+  if (interest().lesion == lesion) return;
+  interest().lesion = chosen = lesion;
   redraw();
 }
 
@@ -325,9 +334,9 @@ void LiveViewModel::mark_at(const Eigen::Vector2d& pixel) {
   const auto& rig = engine_.state()[part::rig];
   const auto& drawable = drawables_.drawable();
   if (!rig || !drawable || shown_.level() == Level::withdrawn) return;
-  interest_.place = scene::place_at(*drawable, rig->left, shown_, pixel);
-  if (interest_.place && interest_.lesion == 0 && shown_.lesions.size() == 1)
-    interest_.lesion = chosen = shown_.lesions.front().lesion;
+  interest().place = scene::place_at(*drawable, rig->left, shown_, pixel);
+  if (interest().place && interest().lesion == 0 && shown_.lesions.size() == 1)
+    interest().lesion = chosen = shown_.lesions.front().lesion;
   redraw();
 }
 
@@ -338,19 +347,25 @@ void LiveViewModel::touch(const std::optional<guidance::SurfacePlace>& place) {
 }
 
 void LiveViewModel::point_at(const std::optional<Eigen::Vector2d>& pixel) {
-  interest_.pointer = pixel;
+  interest().pointer = pixel;
   if (style_.look == scene::Look::focus) redraw();
 }
 
 void LiveViewModel::let_go() {
-  interest_.lesion = 0;
-  interest_.place.reset();
+  interest().lesion = 0;
+  interest().place.reset();
   chosen = 0;
   redraw();
 }
 
 void LiveViewModel::show_failed(const QString& message, int generation) {
   if (generation != generation_) return;
+  if (kept_) {  // what was on the screen before is old by now
+    is_kept_painted_ = true;
+    put_away();
+    banner = message;
+    return;
+  }
   // What is on the screen is of the case as it was, unless it says that it is a former picture.
   if (!playback_.is_frozen && !engine_.snapshot()->tracking) put_away();
   banner = playback_.is_frozen ? playback_.frozen_why.value() + QLatin1Char('\n') + message : message;
@@ -405,7 +420,7 @@ double LiveViewModel::rate() const {
 
 void LiveViewModel::show_freshness() {
   if (playback_.is_frozen || !engine_.snapshot()->tracking || !engine_.state()[part::live] ||
-      !since_painted_.isValid() || review_.is_reviewing)
+      !since_painted_.isValid() || review_.is_reviewing || kept_)
     return;
   if (playback_.is_paused) {
     banner = tr("Paused. The picture is not live.");

@@ -115,17 +115,18 @@ void OverlayWorker::stop_recording() {
 void OverlayWorker::run(const std::stop_token& stop) {
   Studio studio(*this);
   while (true) {
-    std::optional<OverlayJob> job;
+    std::optional<OverlayJob> wanted;
     std::deque<std::optional<RecordingOptions>> wishes;
     {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, stop, [this] { return job_ || !wishes_.empty(); });
       if (stop.stop_requested()) break;
-      std::swap(job, job_);
+      std::swap(wanted, job_);
       std::swap(wishes, wishes_);
     }
     for (auto& wish : wishes) studio.grant(std::move(wish));
-    if (!job || job->frame.empty()) continue;
+    if (!wanted || wanted->frame.empty()) continue;
+    const auto job = std::make_shared<const OverlayJob>(std::move(*wanted));
     const auto begin = std::chrono::steady_clock::now();
     const auto seconds_since = [](std::chrono::steady_clock::time_point then) {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -137,7 +138,8 @@ void OverlayWorker::run(const std::stop_token& stop) {
       done.screen = scene::screen_image(done.picture, job->screen);
       if (job->with_raw) done.raw_screen = scene::screen_image(done.raw, job->screen);
       done.overlay = job->overlay;
-      done.measures = studio.measures();
+      done.made_from = job;
+      if (job->model && job->rig) done.measures = studio.measures();
       done.taken = job->taken;
       done.age = job->taken ? seconds_since(*job->taken) : 0.0;
       done.draw = seconds_since(begin);

@@ -144,6 +144,7 @@ void ReviewModel::set_speed(double factor) {
 }
 
 void ReviewModel::go_live() {
+  emit live_wanted();
   leave();
   if (playback_.is_playing) playback_.pause(false);
   say_runs();

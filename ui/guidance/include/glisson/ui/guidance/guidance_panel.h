@@ -11,6 +11,7 @@
 #include "glisson/ui/guidance/live_view.h"
 #include "glisson/ui/guidance/live_view_model.h"
 #include "glisson/ui/guidance/mask_model.h"
+#include "glisson/ui/guidance/moments_model.h"
 #include "glisson/ui/guidance/openigtlink_model.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/placing_model.h"
@@ -52,6 +53,7 @@ class GuidancePanel : public Panel {
   MaskModel mask_;
   RecordingModel recording_;
   LiveViewModel live_;
+  MomentsModel moments_;
   OpenIgtLinkModel openigtlink_;
   ToolModel tool_;
   Couplings couplings_;

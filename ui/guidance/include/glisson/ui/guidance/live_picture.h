@@ -20,6 +20,8 @@ class LivePicture : public PictureView {
   void set_correcting(bool on);
   /// Drawn over the picture, pixels: from where a place was drawn to where a hand holds it; empty: nothing.
   void set_drag_line(const std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& line);
+  /// Words in a box at the top of the picture; empty: none.
+  void set_mark(const QString& words);
 
  signals:
   void clicked(const Eigen::Vector2d& pixel);
@@ -54,6 +56,7 @@ class LivePicture : public PictureView {
   bool placing_ = false, correcting_ = false;
   bool holding_ = false;  ///< a place of the organ
   std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> drag_line_;
+  QString mark_;
   std::optional<Eigen::Vector2d> grabbed_;  ///< where the drag was last
 };
 

@@ -9,6 +9,7 @@
 #include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view_model.h"
+#include "glisson/ui/guidance/moments_model.h"
 #include "glisson/ui/guidance/timeline_bar.h"
 
 class QBoxLayout;
@@ -18,14 +19,15 @@ namespace glisson::ui {
 
 /// The augmented picture, with what is said of it above and below, and the way through the video. Keys, while
 /// it has the focus: space, arrows, Home and End (see TimelineBar), F11 the whole screen, P saves the
-/// picture, B shows the raw picture beside it, R registers again, C corrects by hand, Ctrl+Z takes a
-/// correction back, Esc lets go of what the hand holds, of the choice, or of the whole screen.
+/// picture, B shows the raw picture beside it, R registers again, C corrects by hand, K keeps the moment,
+/// Ctrl+Z takes a correction back, Esc lets go of what the hand holds, of a kept moment, of the choice, or of
+/// the whole screen.
 class LiveView : public QWidget {
   Q_OBJECT
  public:
   /// All outlive the view.
   LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, AgainModel& again,
-           QWidget* parent = nullptr);
+           MomentsModel& moments, QWidget* parent = nullptr);
   ~LiveView() override;
   const LivePicture& picture() const { return *picture_; }
 
@@ -48,6 +50,7 @@ class LiveView : public QWidget {
   ReviewModel& review_;
   CorrectionModel& correction_;
   AgainModel& again_;
+  MomentsModel& moments_;
   TimelineBar* timeline_;
   QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;

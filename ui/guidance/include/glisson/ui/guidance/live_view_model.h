@@ -19,6 +19,10 @@
 #include "glisson/ui/guidance/review_model.h"
 #include "glisson/ui/guidance/screen_times.h"
 
+namespace glisson::engine {
+struct KeptMoment;
+}
+
 namespace glisson::ui {
 
 /// Which picture is to be drawn, and what is said of the one on the screen: live, frozen, of the registered
@@ -56,6 +60,15 @@ class LiveViewModel : public QObject {
   /// Outline and margin are shown as a proposal where surfaces speak against the live organ's place, so that
   /// a hand can take hold of them and correct it.
   void show_refuted(bool on);
+  /// A moment that was kept, with its pictures as they were taken.
+  struct Kept {
+    std::shared_ptr<const engine::KeptMoment> moment;
+    Picture left, right;
+  };
+  /// Shows it as it was, marked as not live, until it is put away (empty). What is live goes on unseen, and
+  /// into a recording.
+  void show_kept(std::optional<Kept> kept);
+  bool shows_kept() const { return kept_.has_value(); }
   /// The one on the screen; empty: none.
   const Picture& picture() const { return on_screen_.picture; }
   /// The same, with the raw picture, and both ready for the screen.
@@ -79,6 +92,7 @@ class LiveViewModel : public QObject {
   // For widgets to read.
   QProperty<QString> banner;      ///< above the picture; empty: none
   QProperty<QString> line;        ///< below it
+  QProperty<QString> mark;        ///< in the picture, for who looks at nothing else; empty: none
   QProperty<QVariant> is_fresh;   ///< whether it shows where things are now; invalid: there is no picture
   QProperty<FigureRows> figures;  ///< of the live picture
   QProperty<LesionRows> lesions;  ///< of the picture on the screen
@@ -88,6 +102,8 @@ class LiveViewModel : public QObject {
  signals:
   /// See on_screen().
   void picture_changed();
+  /// A kept moment has given way to something else: a former frame, another case.
+  void kept_put_away();
   /// A playing has ended, of which pictures were drawn.
   void times_told(const glisson::ui::ScreenTimes& times);
 
@@ -104,6 +120,14 @@ class LiveViewModel : public QObject {
   /// What was on the screen before a former frame was.
   void show_present();
   void show_recorded(const OverlayFrame& overlay);
+  void draw_kept();
+  /// Nobody sees it, a recording has it.
+  void draw_unseen(OverlayJob job);
+  void tell_kept(const PaintedOverlay& painted);
+  /// Without drawing anything in its place.
+  void drop_kept();
+  /// What is looked at in the picture on the screen.
+  scene::OverlayInterest& interest() { return kept_ ? kept_interest_ : interest_; }
   /// Draws what is on the screen once more, in the present style. Live, the next picture has it anyway.
   void redraw();
   /// Nothing is shown: neither a picture nor what was said of it.
@@ -127,7 +151,11 @@ class LiveViewModel : public QObject {
   OverlayWorker& worker_;
   Couplings couplings_;
   scene::OverlayStyle style_;
-  scene::OverlayInterest interest_;
+  scene::OverlayInterest interest_;  ///< of what is live
+  std::optional<Kept> kept_;         ///< on the screen, or about to be
+  std::shared_ptr<const Points> kept_margin_;
+  scene::OverlayInterest kept_interest_;
+  bool is_kept_painted_ = false;
   std::uint64_t interest_of_ = 0;  ///< the case's number
   OverlayFrame shown_;             ///< of the picture on the screen
   QTimer freshness_;

@@ -6,6 +6,7 @@
 #include <QSize>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -37,10 +38,12 @@ struct OverlayJob {
   double frames_per_second = 0.0;    ///< of the live view, to be shown
   bool model_unchecked = false;      ///< nobody has said that the model is right
   engine::LandmarkReview landmarks;  ///< how far their review has come
-  bool is_live = false;              ///< of now; else the picture says that it is not
-  double source_rate = 30.0;         ///< frames a second of the video, for the recording
-  QSize screen;                      ///< wanted of PaintedOverlay::screen; empty: none
-  bool with_raw = false;             ///< PaintedOverlay::raw_screen is wanted, too
+  /// Editions of model and calibration that it is drawn with (engine::Stamp).
+  std::uint64_t model_revision = 0, rig_revision = 0;
+  bool is_live = false;       ///< of now; else the picture says that it is not
+  double source_rate = 30.0;  ///< frames a second of the video, for the recording
+  QSize screen;               ///< wanted of PaintedOverlay::screen; empty: none
+  bool with_raw = false;      ///< PaintedOverlay::raw_screen is wanted, too
   /// Handed back with what became of the job, so that one that is not wanted any more is known.
   int generation = 0;
 };
@@ -51,6 +54,7 @@ struct PaintedOverlay {
   Picture raw;                ///< as it was taken
   QImage screen, raw_screen;  ///< the same, ready for the screen (scene::screen_image()); null: not wanted
   OverlayFrame overlay;
+  std::shared_ptr<const OverlayJob> made_from;       ///< null: there is no picture
   std::optional<guidance::LesionMeasures> measures;  ///< of the chosen lesion
   double age = 0.0;   ///< seconds from the camera to the end of drawing; 0 when not live
   double draw = 0.0;  ///< seconds that drawing took

@@ -56,6 +56,8 @@ class ReviewModel : public QObject {
  signals:
   /// A former frame is to be shown.
   void shown(const glisson::ui::Moment& moment);
+  /// Somebody wants the live video, whatever is on the screen.
+  void live_wanted();
   /// The former frame is not to be shown any more.
   void ended();
 
