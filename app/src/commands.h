@@ -23,6 +23,7 @@ int run_register(const QStringList& arguments);
 int run_track(const QStringList& arguments);
 int run_render(const QStringList& arguments);
 int run_overlay(const QStringList& arguments);
+int run_moments(const QStringList& arguments);
 int run_doctor(const QStringList& arguments);
 int run_soak(const QStringList& arguments);
 int run_prove(const QStringList& arguments);

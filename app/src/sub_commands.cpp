@@ -24,6 +24,8 @@ const std::vector<SubCommand>& sub_commands() {
       {"track", run_track, false, QT_TRANSLATE_NOOP("cli", "Follow a stereo video or a series of clouds")},
       {"render", run_render, true, QT_TRANSLATE_NOOP("cli", "Draw one frame with its overlay")},
       {"overlay", run_overlay, true, QT_TRANSLATE_NOOP("cli", "Record the overlay video")},
+      {"moments", run_moments, true,
+       QT_TRANSLATE_NOOP("cli", "List and write the moments of the live view that a case keeps")},
       {"prove", run_prove, true, QT_TRANSLATE_NOOP("cli", "Measure the proofs' figures again")},
       {"figure", run_figure, true, QT_TRANSLATE_NOOP("cli", "Measure a figure of the paper again")},
       {"simulate", run_simulate, false,

@@ -43,6 +43,27 @@ void require_finite(const KeptMoment& moment) {
     throw InputError("moments", "moment", "holds a number that is not finite", "Keep another frame");
 }
 
+void require_sound(const KeptMoment* moment) {
+  require(moment != nullptr && moment->left_png && moment->right_png, "a moment has both pictures");
+  require(moment->overlay.nodes_in_camera.rows() == 0 || moment->camera_from_model,
+          "a moment with nodes has their pose");
+  require_finite(*moment);
+}
+
+/// In the order of the numbers. @return its number. @throws InputError it is there already.
+int put(const KeptMoment& moment, KeptMoments& kept) {
+  auto made = std::make_shared<KeptMoment>(moment);
+  const int number = made->number == 0 ? kept.last + 1 : made->number;
+  made->number = number;
+  const auto place = std::find_if(kept.moments.begin(), kept.moments.end(),
+                                  [number](const auto& other) { return other->number >= number; });
+  if (place != kept.moments.end() && (*place)->number == number)
+    throw InputError("moments", "moment", "is kept already", "Choose it in the list");
+  kept.last = std::max(kept.last, number);
+  kept.moments.insert(place, std::move(made));
+  return number;
+}
+
 }  // namespace
 
 CommandTraits KeepMoment::traits() const {
@@ -50,23 +71,12 @@ CommandTraits KeepMoment::traits() const {
 }
 
 Cancellable<Applied> KeepMoment::apply(const CaseState& state, const RunContext&) const {
-  require(moment && moment->left_png && moment->right_png, "a moment has both pictures");
-  require(moment->overlay.nodes_in_camera.rows() == 0 || moment->camera_from_model,
-          "a moment with nodes has their pose");
-  require_finite(*moment);
   KeptMoments kept;
   if (state[part::moments]) kept = *state[part::moments];
+  require_sound(moment.get());
   require_room_for(*moment, kept);
-  auto made = std::make_shared<KeptMoment>(*moment);
-  if (made->number == 0) made->number = std::max(0, kept.last) + 1;
-  if (moment_of(state, made->number))
-    throw InputError("moments", "moment", "is kept already", "Choose it in the list");
-  kept.last = std::max(kept.last, made->number);
-  const auto after = std::find_if(kept.moments.begin(), kept.moments.end(),
-                                  [&](const auto& other) { return other->number > made->number; });
   Applied applied{state};
-  applied.figures["moment"] = made->number;
-  kept.moments.insert(after, std::move(made));
+  applied.figures["moment"] = put(*moment, kept);
   applied.state[part::moments] = std::make_shared<const KeptMoments>(std::move(kept));
   return applied;
 }

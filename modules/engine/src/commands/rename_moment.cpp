@@ -11,6 +11,14 @@ namespace {
 
 constexpr std::size_t kMostLetters = 200;
 
+void require_title(const std::string& title) {
+  // A letter of UTF-8 begins with any byte but those of the form 10xxxxxx.
+  const auto letters = static_cast<std::size_t>(std::count_if(
+      title.begin(), title.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  if (letters > kMostLetters)
+    throw InputError("moments", "title", "is longer than a title can be", "Shorten it to 200 letters");
+}
+
 }  // namespace
 
 CommandTraits RenameMoment::traits() const {
@@ -23,16 +31,12 @@ CommandTraits RenameMoment::traits() const {
 }
 
 Cancellable<Applied> RenameMoment::apply(const CaseState& state, const RunContext&) const {
+  require_title(title);
   KeptMoments kept = *state[part::moments];
   const auto found = std::find_if(kept.moments.begin(), kept.moments.end(),
                                   [this](const auto& one) { return one->number == number; });
   if (found == kept.moments.end())
     throw InputError("moments", "moment " + std::to_string(number), "is not kept", "Choose one of the list");
-  // A letter of UTF-8 begins with any byte but those of the form 10xxxxxx.
-  const auto letters = static_cast<std::size_t>(std::count_if(
-      title.begin(), title.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-  if (letters > kMostLetters)
-    throw InputError("moments", "title", "is longer than a title can be", "Shorten it to 200 letters");
   auto renamed = std::make_shared<KeptMoment>(**found);
   renamed->title = title;
   *found = std::move(renamed);

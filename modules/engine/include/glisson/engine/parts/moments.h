@@ -29,7 +29,7 @@ struct KeptMoment {
   Label chosen = 0;                                  ///< the lesion whose numbers were told; 0: none
   std::optional<guidance::LesionMeasures> measures;  ///< of the chosen one; empty: they were not told
   std::optional<guidance::SurfacePlace> place;       ///< that was marked on the organ
-  Points margin;                                     ///< anterior margin as it was drawn, CT frame
+  PointsIn<CtFrame> margin;                          ///< anterior margin as it was drawn
   // What the picture said of the case.
   bool model_unchecked = false, landmarks_open = false, landmarks_from_statistics = false;
   /// Editions of what it was drawn with.
