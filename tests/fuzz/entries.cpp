@@ -36,6 +36,7 @@ const std::vector<Named>& all_entries() {
                                          {"video", video},
                                          {"landmarks", landmarks},
                                          {"vessels", vessels},
+                                         {"moment", moment},
                                          {"case_json", case_json}};
   return all;
 }

@@ -49,6 +49,7 @@ void atlas_sheet(std::string_view bytes);
 
 void landmarks(std::string_view bytes);
 void vessels(std::string_view bytes);
+void moment(std::string_view bytes);  ///< its description in a case
 void case_json(std::string_view bytes);
 
 // Decoded by a program of its own, into which libFuzzer does not see: not among its targets.

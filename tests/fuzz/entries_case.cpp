@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "a_moment.h"
 #include "case_files.h"
 #include "entries.h"
 #include "glisson/core/json_file.h"
@@ -17,10 +18,25 @@
 #include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/regions.h"
 #include "glisson/stereo/source.h"
+#include "moment_files.h"
 #include "scratch.h"
 
 namespace glisson::fuzz {
 namespace fs = std::filesystem;
+
+engine::KeptMoment a_moment() {
+  engine::KeptMoment moment;
+  moment.number = 1;
+  moment.title = "Segment 6";
+  moment.kept_at = "2026-01-31T10:20:30Z";
+  moment.left_png = moment.right_png = std::make_shared<const std::string>("PNG");
+  moment.margin = Points::Constant(2, 3, 0.01);
+  moment.chosen = *structure_named("lesion_1");
+  moment.measures = guidance::LesionMeasures{};
+  moment.measures->shortest = 0.012;
+  moment.place = guidance::SurfacePlace{3, {0.25, 0.25, 0.5}};
+  return moment;
+}
 
 void cloud(std::string_view bytes) {
   read_file_of("a.ply", bytes, [](const fs::path& path) {
@@ -84,6 +100,25 @@ void vessels(std::string_view bytes) {
         for (const int end : beam) must(end >= 0 && end < tree.nodes.rows(), "a beam ends nowhere");
     }
   });
+}
+
+void moment(std::string_view bytes) {
+  static const TemporaryFolder folder;
+  static const bool is_made = [] {
+    engine::write_moment(folder.path(), folder.path(), a_moment());
+    return true;
+  }();
+  must(is_made, "there is no moment");
+  std::ofstream(folder.path() / "moments/0001.json", std::ios::binary | std::ios::trunc)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  try {
+    const engine::KeptMoment read = engine::read_moment(folder.path(), 1);
+    must(read.number == 1, "is another moment");
+    must(read.margin.allFinite(), "a margin is not finite");
+    must(!read.place || (read.place->triangle >= 0 && read.place->weights.allFinite()),
+         "a mark lies nowhere");
+  } catch (const Error&) {
+  }
 }
 
 void case_json(std::string_view bytes) {

@@ -83,8 +83,8 @@ void FaultsTest::FoundFaultsStayMended_data() {
   row("landmarks", "a frame that is a number", "{\"frame\": 7, \"umbilical_notch\": [[1, 0, 0]]}");
   row("tree_edits", "a unit that is a list", "{\"unit\": [], \"edits\": []}");
   // Nested as deep as the file is long.
-  for (const char* entry :
-       {"seeds", "regions", "source", "label_codes", "edits", "tree_edits", "landmarks", "case_json"})
+  for (const char* entry : {"seeds", "regions", "source", "label_codes", "edits", "tree_edits", "landmarks",
+                            "moment", "case_json"})
     row(entry, "nested brackets", QByteArray(100000, '['));
   // Closed, and where a value is copied or told.
   const QByteArray closed = QByteArray(300000, '[') + "1" + QByteArray(300000, ']');

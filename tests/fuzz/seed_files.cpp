@@ -2,6 +2,7 @@
 #include <functional>
 #include <map>
 
+#include "a_moment.h"
 #include "case_files.h"
 #include "entries.h"
 #include "glisson/core/files.h"
@@ -11,6 +12,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/volume/io.h"
+#include "moment_files.h"
 #include "onnx_bytes.h"
 #include "phantom.h"
 #include "shapes.h"
@@ -236,6 +238,13 @@ const std::map<std::string, std::function<Files()>>& makers() {
       {"landmarks",
        [] { return Files{R"({"frame": "LPS", "unit": "mm", "anterior_margin": [[1, 2, 3], [4, 5, 6]]})"}; }},
       {"vessels", [] { return Files{vessel_file()}; }},
+      {"moment",
+       [] {
+         return Files{written("case", [](const fs::path& path) {
+           engine::write_moment(path.parent_path(), path.parent_path(), a_moment());
+           fs::rename(path.parent_path() / "moments/0001.json", path);
+         })};
+       }},
       {"case_json", [] { return Files{kCase}; }}};
   return all;
 }
