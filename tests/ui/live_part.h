@@ -5,6 +5,7 @@
 #include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view.h"
+#include "glisson/ui/guidance/moments_model.h"
 #include "glisson/ui/guidance/playback_box.h"
 
 namespace glisson {
@@ -19,7 +20,8 @@ struct LivePart {
         playing(engine, playback),
         correction(engine, playback, review),
         again(engine, playback),
-        view(live, review, correction, again) {
+        moments(engine, playback, review, live),
+        view(live, review, correction, again, moments) {
     view.resize(640, 480);
     view.show();
   }
@@ -31,6 +33,7 @@ struct LivePart {
   ui::PlaybackBox playing;
   ui::CorrectionModel correction;
   ui::AgainModel again;
+  ui::MomentsModel moments;
   ui::LiveView view;
 
   ui::LivePicture* picture() { return view.findChild<ui::LivePicture*>(); }
