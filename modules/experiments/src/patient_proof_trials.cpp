@@ -219,23 +219,6 @@ class Trials {
   double seconds_ = 0.0, slowest_ = 0.0, slowest_correction_ = 0.0;
 };
 
-/// The expert gave all tumours one label: each body becomes a lesion of its own, the largest first. What is
-/// smaller than a click is worth stays with the last one.
-void split_lesions(LabelMap& truth) {
-  const VolumeGrid& grid = truth.voxels.grid();
-  Mask tumours(grid.size, grid.spacing_mm);
-  tumours.voxels = truth.voxels.mask(is_lesion);
-  std::vector<long> sizes;
-  const std::vector<int> body = connected_components(tumours, sizes);
-  int last = 0;
-  for (const long size : sizes)
-    last += 1e-3 * static_cast<double>(size) * grid.voxel_volume_mm3() >= kLeastLesion;
-  std::vector<Label> labels = truth.voxels.dense();
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (body[i] > 0) labels[i] = static_cast<Label>(structure::kFirstLesion + std::min(body[i] - 1, last));
-  truth.voxels = LabelVolume(grid, labels);
-}
-
 std::optional<Trial> real_trial(const PatientProofOptions& options, const std::string& name,
                                 PatientProof& proof, const RunContext& context) {
   const fs::path folder = options.data / name;
@@ -255,7 +238,7 @@ std::optional<Trial> real_trial(const PatientProofOptions& options, const std::s
     const fs::path file = folder / "3Dircadb0101Labeled.vti";
     trial.truth =
         recode(read_labels(file), read_label_codes(options.clicks / "3dircadb1_codes.json"), file.string());
-    split_lesions(trial.truth);
+    insilico::split_lesions(trial.truth, kLeastLesion);
   } else {
     const LabelFile labels = read_labels(folder / "liver.nrrd");
     std::vector<Label> dense = labels.voxels.dense();

@@ -137,6 +137,21 @@ void LaypersonOptions::validate() const {
   demand(least_lesion_ml >= 0.0, "least_lesion_ml", least_lesion_ml, "Give a volume from zero, in ml");
 }
 
+void split_lesions(LabelMap& truth, double least_ml) {
+  const VolumeGrid& grid = truth.voxels.grid();
+  Mask tumours(grid.size, grid.spacing_mm);
+  tumours.voxels = truth.voxels.mask(is_lesion);
+  std::vector<long> sizes;
+  const std::vector<int> body = connected_components(tumours, sizes);
+  int last = 0;
+  for (const long size : sizes)
+    last += 1e-3 * static_cast<double>(size) * grid.voxel_volume_mm3() >= least_ml;
+  std::vector<Label> labels = truth.voxels.dense();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (body[i] > 0) labels[i] = static_cast<Label>(structure::kFirstLesion + std::min(body[i] - 1, last));
+  truth.voxels = LabelVolume(grid, labels);
+}
+
 segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
                                        const LaypersonOptions& options) {
   options.validate();

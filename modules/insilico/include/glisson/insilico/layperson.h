@@ -24,6 +24,10 @@ struct LaypersonOptions {
   void validate() const;
 };
 
+/// An expert who gave all tumours one label is told them apart: each body becomes a lesion of its own, the
+/// largest first. Bodies below `least_ml`, smaller than a click is worth, become one lesion together.
+void split_lesions(LabelMap& truth, double least_ml);
+
 /// What somebody clicks who has seen livers but no segmentation program: random places well inside what an
 /// eye would call liver (tumours and vessels included, 8 mm from its border, 30 mm apart), and random places
 /// in soft tissue 8 to 40 mm beside it (25 mm apart). The places are never derived from a result.
