@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include "glisson/engine/parts/labels.h"
@@ -34,6 +36,8 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled();
   void AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff();
   void AClickFindsALesionAtOnce();
+  void ControlsStayUnderTheHandThatPressesSegment();
+  void TheLineBelowTheViewsFollowsACorrection();
 
  private:
   /// What the views share.
@@ -403,6 +407,45 @@ void SegmentationSeedsTest::AClickFindsALesionAtOnce() {
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(settle());
   QCOMPARE(count(structure::kFirstLesion), 0L);
+}
+
+/// Segment is switched off while it works, Cancel is hidden afterwards: the panel must not scroll to what has
+/// the keyboard then.
+void SegmentationSeedsTest::ControlsStayUnderTheHandThatPressesSegment() {
+  open_ct();
+  seed_liver();
+  QWidget* button = window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->button();
+  const auto place = [&] { return button->mapTo(window_.get(), QPoint()); };
+  const QPoint before = place();
+  QVERIFY(!button->visibleRegion().isEmpty());
+  const auto scrolled = [&] {
+    int most = 0;
+    for (QWidget* above = button->parentWidget(); above != nullptr; above = above->parentWidget())
+      if (const auto* area = qobject_cast<QScrollArea*>(above))
+        most = std::max(most, area->verticalScrollBar()->value());
+    return most;
+  };
+  QCOMPARE(scrolled(), 0);
+  press_segment();
+  QCOMPARE(place(), before);
+  QVERIFY(settle());
+  QCOMPARE(scrolled(), 0);
+}
+
+/// It told the label of before the correction until the pointer moved.
+void SegmentationSeedsTest::TheLineBelowTheViewsFollowsACorrection() {
+  open_labels();
+  press("mode_seeds");
+  const auto says_liver = [&] { return window_->views().probe_line().contains(QLatin1String("Liver")); };
+  press("seed_background");
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.02, 0.025, 0)).toPoint());
+  QVERIFY(settle());
+  QCOMPARE(at({-0.02, 0.025, 0}), structure::kBackground);
+  QVERIFY2(!says_liver(), qPrintable(window_->views().probe_line()));
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QVERIFY2(says_liver(), qPrintable(window_->views().probe_line()));
 }
 
 }  // namespace glisson

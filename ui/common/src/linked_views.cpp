@@ -87,6 +87,7 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
   connect(&state_, &ViewState::markers_changed, this, &LinkedViews::show_markers);
   connect(&state_, &ViewState::crosshair_changed, this, [this] { probe(state_.crosshair()); });
   connect(&state_, &ViewState::volume_changed, this, [this] { probe(state_.crosshair()); });
+  connect(&state_, &ViewState::labels_changed, this, [this] { probe(probed_); });
   show_case();
 }
 
@@ -360,6 +361,7 @@ void LinkedViews::show_markers() {
 }
 
 void LinkedViews::probe(const Point<CtFrame>& p) {
+  probed_ = p;
   if (!state_.image()) {
     for (QLabel* part : {position_, value_, label_}) part->clear();
     return;

@@ -11,7 +11,6 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <algorithm>
@@ -43,6 +42,7 @@
 #include "patient_identity.h"
 #include "recent_cases.h"
 #include "running_work.h"
+#include "steady_scroll.h"
 #include "step_bar.h"
 #include "task_status.h"
 #include "welcome_page.h"
@@ -135,7 +135,7 @@ void MainWindow::add_panel(Panel* panel, const QString& icon) {
   const int step = static_cast<int>(panels_.size());
   panels_.push_back(panel);
   steps_->add_step(panel->title(), icon);
-  auto* scroll = new QScrollArea(controls_);
+  auto* scroll = new SteadyScroll(controls_);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(panel);

@@ -86,6 +86,7 @@ class LinkedViews : public QWidget {
   QLabel* position_ = nullptr;
   QLabel* value_ = nullptr;
   QLabel* label_ = nullptr;
+  Point<CtFrame> probed_;  ///< the place of which the line below the views tells
   LabelSurfaceSource* label_surfaces_ = nullptr;
   std::unique_ptr<scene::LabelActors> label_actors_;
   QTimer* late_ = nullptr;  ///< delays the 3D view during a stroke, so that the slice is drawn at once
