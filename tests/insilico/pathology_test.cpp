@@ -57,6 +57,7 @@ class PathologyTest : public QObject {
   void ThickSlicesAreMeans();
   void LaypersonClicksWhereTheEyeSees();
   void LaypersonCorrectsWhatIsMostDeeplyWrong();
+  void TumoursOfOneLabelAreToldApart();
 };
 
 void PathologyTest::SamePathologyGivesTheSameBits() {
@@ -162,6 +163,30 @@ void PathologyTest::LaypersonCorrectsWhatIsMostDeeplyWrong() {
   add_cube(cube);
   const auto click = correct_as_layperson(patient.truth, cube, 1);
   QVERIFY(click && !click->is_liver);
+}
+
+void PathologyTest::TumoursOfOneLabelAreToldApart() {
+  VolumeGrid grid;
+  grid.size = {30, 12, 12};
+  grid.spacing_mm = {1.0, 1.0, 1.0};
+  LabelMap truth;
+  truth.voxels = LabelVolume(grid);
+  const auto cube = [&](int from, int side) {
+    for (int k = 0; k < side; ++k)
+      for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) truth.voxels.set({from + i, j, k}, structure::kFirstLesion);
+  };
+  cube(0, 2);  // two that are too small for a click
+  cube(4, 6);
+  cube(12, 8);
+  cube(25, 2);
+  split_lesions(truth, 0.1);
+  const auto at = [&](int i) { return truth.voxels.at({i, 0, 0}) - structure::kFirstLesion; };
+  QCOMPARE(at(12), 0);
+  QCOMPARE(at(4), 1);
+  QCOMPARE(at(0), 2);
+  QCOMPARE(at(25), 2);
+  QCOMPARE(truth.voxels.at({23, 0, 0}), structure::kBackground);
 }
 
 QTEST_APPLESS_MAIN(PathologyTest)
