@@ -12817,6 +12817,10 @@ Mode %3 à %4 écarts types
         <translation>%1 : fait en %2 s</translation>
     </message>
     <message>
+        <source>%1: done in %2 s – notes to read, on the right: %3</source>
+        <translation>%1 : fait en %2 s – remarques à lire, à droite : %3</translation>
+    </message>
+    <message>
         <source>%1: cancelled</source>
         <translation>%1 : annulé</translation>
     </message>

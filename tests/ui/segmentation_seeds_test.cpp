@@ -38,6 +38,7 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void AClickFindsALesionAtOnce();
   void ControlsStayUnderTheHandThatPressesSegment();
   void TheLineBelowTheViewsFollowsACorrection();
+  void NotesThatThePanelMayHideAreToldBelow();
 
  private:
   /// What the views share.
@@ -446,6 +447,19 @@ void SegmentationSeedsTest::TheLineBelowTheViewsFollowsACorrection() {
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(settle());
   QVERIFY2(says_liver(), qPrintable(window_->views().probe_line()));
+}
+
+/// In a window of 800 pixels what is noted about a segmentation lies below the panel's visible part.
+void SegmentationSeedsTest::NotesThatThePanelMayHideAreToldBelow() {
+  open_ct();
+  seed_liver();
+  press("seed_lesion_1");  // where the liver is like all of it
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
+  QVERIFY(settle());
+  grow();
+  QVERIFY2(window_->status_text().contains(QLatin1String("notes to read, on the right: ")),
+           qPrintable(window_->status_text()));
 }
 
 }  // namespace glisson

@@ -75,14 +75,24 @@ void TaskStatus::show_tasks() {
   text_->setText(afterwards_.isEmpty() ? text : tr("%1 – %2").arg(text, afterwards_));
 }
 
+void TaskStatus::show_done(const engine::Outcome& outcome) {
+  const QString name = command_text(outcome.command), seconds = QString::number(outcome.seconds, 'f', 1);
+  // Where a panel is longer than the window, what it notes may be out of sight, and this line never is. Of
+  // files notes are told in a box.
+  const bool is_noted = outcome.traits.notice == engine::Notice::ordinary && !outcome.notes.empty();
+  set_style_property(text_, "role", is_noted ? "warning" : "");
+  text_->setText(is_noted ? tr("%1: done in %2 s – notes to read, on the right: %3")
+                                .arg(name, seconds)
+                                .arg(outcome.notes.size())
+                          : tr("%1: done in %2 s").arg(name, seconds));
+}
+
 void TaskStatus::show_outcome(const engine::Outcome& outcome) {
   if (outcome.traits.notice == engine::Notice::unasked) return;
   switch (outcome.status) {
     case engine::Status::done:
       if (!is_worth_telling(outcome.traits)) return;
-      set_style_property(text_, "role", "");
-      text_->setText(
-          tr("%1: done in %2 s").arg(command_text(outcome.command)).arg(outcome.seconds, 0, 'f', 1));
+      show_done(outcome);
       break;
     case engine::Status::cancelled:
       set_style_property(text_, "role", "");

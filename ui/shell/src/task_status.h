@@ -24,6 +24,7 @@ class TaskStatus : public QWidget {
  private:
   void show_tasks();
   void show_outcome(const engine::Outcome& outcome);
+  void show_done(const engine::Outcome& outcome);
 
   EngineBridge& engine_;
   engine::CommandId shown_ = 0;
