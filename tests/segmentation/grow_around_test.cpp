@@ -4,8 +4,11 @@
 
 #include <QTest>
 #include <algorithm>
+#include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/random.h"
 #include "noisy_ct.h"
 #include "points_at.h"
 
@@ -102,6 +105,7 @@ class GrowAroundTest : public QObject {
   void WhereNothingIsNothingChanges();
   void WhatIsLockedIsSaid();
   void OnlyNewClicksCount();
+  void ClicksThatWereSavedAndReadAreNotNew();
 
  private:
   const Patient patient_ = patient();
@@ -206,6 +210,38 @@ void GrowAroundTest::OnlyNewClicksCount() {
   before = after;
   after.lesion_diameters_mm = {25.0, 0.0};
   QVERIFY((structure_clicks_added(before, after) == std::vector<StructureClick>{first}));
+}
+
+/// A file holds millimetres, and each saving and reading may change a metre's last bit: on the command line a
+/// lesion was found anew although nobody had clicked it again.
+void GrowAroundTest::ClicksThatWereSavedAndReadAreNotNew() {
+  std::mt19937_64 random(7);
+  const auto somewhere = [&](int count) {
+    Points points(count, 3);
+    for (int n = 0; n < count; ++n)
+      for (int axis = 0; axis < 3; ++axis) points(n, axis) = 0.3 * uniform01(random) - 0.15;
+    return points;
+  };
+  Seeds seeds;
+  seeds.liver = somewhere(200);
+  seeds.background = somewhere(200);
+  seeds.portal_vein = somewhere(200);
+  seeds.lesions = {somewhere(200), somewhere(1)};
+  const TemporaryFolder folder;
+  const auto saved = [&](const Seeds& these) {
+    write_seeds(folder.path() / "seeds.json", these);
+    return read_seeds(folder.path() / "seeds.json");
+  };
+  const Seeds once = saved(seeds);
+  const Seeds twice = saved(once);
+  QVERIFY(clicks_added(twice, once).empty());
+  QVERIFY(structure_clicks_added(twice, once).empty());
+  // A click a hundredth of a millimetre beside another one is a click.
+  Seeds more = once;
+  more.lesions[0].row(0) += Eigen::RowVector3d(1e-5, 0.0, 0.0);
+  more.liver.row(0) += Eigen::RowVector3d(1e-5, 0.0, 0.0);
+  QCOMPARE(structure_clicks_added(twice, more).size(), std::size_t{1});
+  QCOMPARE(clicks_added(twice, more).size(), std::size_t{1});
 }
 
 QTEST_GUILESS_MAIN(GrowAroundTest)

@@ -12,6 +12,7 @@
 #include "painting.h"
 #include "part.h"
 #include "region_cut.h"
+#include "same_click.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -256,12 +257,9 @@ void check(const Image& image, const LabelMap& labels, const Click& click, const
 std::vector<Click> clicks_added(const Seeds& before, const Seeds& after) {
   std::vector<Click> added;
   const auto add = [&](const Points& old, const Points& now, bool is_liver) {
-    for (Eigen::Index n = 0; n < now.rows(); ++n) {
-      const auto is_this = [&](const auto& row) { return row == now.row(n); };
-      const auto rows = old.rowwise();
-      if (std::none_of(rows.begin(), rows.end(), is_this))
+    for (Eigen::Index n = 0; n < now.rows(); ++n)
+      if (!holds_click(old, now.row(n)))
         added.push_back({Point<CtFrame>(Eigen::Vector3d(now.row(n).transpose())), is_liver});
-    }
   };
   add(before.liver, after.liver, true);
   add(before.background, after.background, false);

@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "lesions.h"
 #include "part.h"
+#include "same_click.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -22,12 +23,6 @@ const Points& clicks_of(const Seeds& seeds, Label structure) {
   if (structure == structure::kPortalVein) return seeds.portal_vein;
   if (structure == structure::kHepaticVeins) return seeds.hepatic_veins;
   return number_of(structure) < seeds.lesions.size() ? seeds.lesions[number_of(structure)] : kNone;
-}
-
-bool holds_row(const Points& points, const Eigen::RowVector3d& p) {
-  for (Eigen::Index n = 0; n < points.rows(); ++n)
-    if (points.row(n) == p) return true;
-  return false;
 }
 
 /// What is asked of segment(): the structure from its clicks, and the click itself.
@@ -46,7 +41,7 @@ Question question_of(const Seeds& seeds, const StructureClick& click, const std:
     const std::size_t n = number_of(click.structure);
     question.seeds.lesions.assign(n + 1, PointsIn<CtFrame>(0, 3));
     const Points& known = clicks_of(seeds, click.structure);
-    question.seeds.lesions[n] = holds_row(known, here.row(0)) ? known : here;
+    question.seeds.lesions[n] = holds_click(known, here.row(0)) ? known : here;
     question.seeds.lesion_diameters_mm.assign(n + 1, 0.0);
     question.seeds.lesion_diameters_mm[n] = seeds.lesion_diameter_mm(n);
     question.options.structures.lesions = true;
@@ -102,7 +97,7 @@ std::vector<StructureClick> structure_clicks_added(const Seeds& before, const Se
     const Points &old = clicks_of(before, structure), &now = clicks_of(after, structure);
     const std::size_t count = added.size();
     for (Eigen::Index n = 0; n < now.rows(); ++n)
-      if (!holds_row(old, now.row(n)))
+      if (!holds_click(old, now.row(n)))
         added.push_back({structure, Point<CtFrame>(Eigen::Vector3d(now.row(n).transpose()))});
     if (!is_lesion(structure) || added.size() > count || now.rows() == 0) return;
     if (before.lesion_diameter_mm(number_of(structure)) != after.lesion_diameter_mm(number_of(structure)))
