@@ -153,8 +153,10 @@ void Hand::turn(QWidget& widget, int notches) {
 void Hand::shortcut(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   const int keys = 1 + (modifiers == Qt::NoModifier ? 0 : 1);
   ledger_.now().keys += keys;
-  act(HumanTimes::kDecide + HumanTimes::kHome + keys * HumanTimes::kKey,
-      [&] { QTest::keyClick(window_.windowHandle(), key, modifiers); });
+  act(HumanTimes::kDecide + HumanTimes::kHome + keys * HumanTimes::kKey, [&] {
+    QApplication::setActiveWindow(&window_);  // no window manager gives it back after a dialogue
+    QTest::keyClick(window_.windowHandle(), key, modifiers);
+  });
 }
 
 void Hand::will_answer_with(const std::filesystem::path& path, double seconds) {
