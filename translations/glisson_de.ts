@@ -6061,12 +6061,12 @@
         <translation>Abgetrennte Leberreste wurden weggelassen: %1 (%3 ml).</translation>
     </message>
     <message>
-        <source>No portal vein was found at its seeds.</source>
-        <translation>An den Saatpunkten wurde keine Pfortader gefunden.</translation>
+        <source>No portal vein was found at its seeds: what there was stays.</source>
+        <translation>An den Saatpunkten wurde keine Pfortader gefunden: Was da war, bleibt.</translation>
     </message>
     <message>
-        <source>No hepatic vein was found at its seeds.</source>
-        <translation>An den Saatpunkten wurde keine Lebervene gefunden.</translation>
+        <source>No hepatic vein was found at its seeds: what there was stays.</source>
+        <translation>An den Saatpunkten wurde keine Lebervene gefunden: Was da war, bleibt.</translation>
     </message>
     <message>
         <source>%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.</source>
@@ -6473,8 +6473,8 @@
         <translation>Das Organ wäre %1-mal so stark verformt, wie Operationen und Werkzeuge erklären (Grenze %2).</translation>
     </message>
     <message>
-        <source>%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to tell its diameter, or paint it.</source>
-        <translation>%1 wurde nicht gefunden: An ihren Saatpunkten unterscheidet sich nichts von der Leber. Ziehen Sie in einer Schicht quer darüber, um den Durchmesser anzugeben, oder malen Sie sie.</translation>
+        <source>%1 was not found: nothing at its seeds differs from the liver. What there was of it stays. Drag across it in a slice to tell its diameter, or paint it.</source>
+        <translation>%1 wurde nicht gefunden: An ihren Saatpunkten unterscheidet sich nichts von der Leber. Was davon da war, bleibt. Ziehen Sie in einer Schicht quer darüber, um den Durchmesser anzugeben, oder malen Sie sie.</translation>
     </message>
     <message>
         <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>

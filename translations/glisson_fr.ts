@@ -6061,12 +6061,12 @@
         <translation>Îlots de foie séparés écartés : %1 (%3 ml).</translation>
     </message>
     <message>
-        <source>No portal vein was found at its seeds.</source>
-        <translation>Aucune veine porte n&apos;a été trouvée à ses germes.</translation>
+        <source>No portal vein was found at its seeds: what there was stays.</source>
+        <translation>Aucune veine porte n&apos;a été trouvée à ses germes : ce qui existait reste.</translation>
     </message>
     <message>
-        <source>No hepatic vein was found at its seeds.</source>
-        <translation>Aucune veine hépatique n&apos;a été trouvée à ses germes.</translation>
+        <source>No hepatic vein was found at its seeds: what there was stays.</source>
+        <translation>Aucune veine hépatique n&apos;a été trouvée à ses germes : ce qui existait reste.</translation>
     </message>
     <message>
         <source>%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.</source>
@@ -6473,8 +6473,8 @@
         <translation>L&apos;organe serait déformé %1 fois plus que les opérations et les instruments ne l&apos;expliquent (limite : %2).</translation>
     </message>
     <message>
-        <source>%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to tell its diameter, or paint it.</source>
-        <translation>%1 n’a pas été trouvée : rien à ses graines ne diffère du foie. Faites glisser à travers elle dans une coupe pour indiquer son diamètre, ou peignez-la.</translation>
+        <source>%1 was not found: nothing at its seeds differs from the liver. What there was of it stays. Drag across it in a slice to tell its diameter, or paint it.</source>
+        <translation>%1 n’a pas été trouvée : rien à ses graines ne diffère du foie. Ce qui en existait reste. Faites glisser à travers elle dans une coupe pour indiquer son diamètre, ou peignez-la.</translation>
     </message>
     <message>
         <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>

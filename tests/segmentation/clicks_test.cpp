@@ -90,8 +90,11 @@ class ClicksTest : public QObject {
   void ALiverClickBinds();
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
+  void OnFineVoxelsNoIslandIsMadeEither();
   void InARegionClicksKeepTheirNumbers();
   void WhatIsFoundNowhereLeavesWhatThereWas();
+  void AVesselThatIsFoundNowhereStays();
+  void ALesionThatIsFoundNowhereStays();
   void OneMoreClickChangesNothingFarAway();
   void ALockedLesionStaysVoxelByVoxel();
   void ALockedLiverStaysVoxelByVoxel();
@@ -150,6 +153,34 @@ void ClicksTest::AClickOnAnIslandIsNamed() {
   QVERIFY(has_note(segmented(phantom_.image, seeds), "seed.liver_apart 4"));
 }
 
+/// How many voxels of the liver lie 6 mm and more outside of the organ and its tumour.
+long beside_the_organ(const Segmented& result) {
+  const VolumeGrid& grid = result.labels.voxels.grid();
+  const std::vector<std::uint8_t> liver = inside_liver(result.labels);
+  long count = 0;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        if ((p - kLiver).cwiseQuotient(Eigen::Vector3d(56, 48, 44)).norm() > 1.0 &&
+            (p - kTumour).norm() > kTumourRadius + 6.0)
+          count += liver[static_cast<std::size_t>(grid.offset({i, j, k}))];
+      }
+  return count;
+}
+
+void ClicksTest::OnFineVoxelsNoIslandIsMadeEither() {
+  SegmentationOptions fine;
+  fine.working_spacing_mm = 1.0;
+  // In fat, 9 mm beside the organ and far from it.
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.liver.conservativeResize(5, 3);
+  seeds.liver.bottomRows(2) = test::points_at(phantom_.image, {{125, 61, 53}, {10, 112, 90}});
+  const Segmented result = segmented(phantom_.image, seeds, fine);
+  QVERIFY(has_note(result, "seed.liver_apart 4") && has_note(result, "seed.liver_apart 5"));
+  QCOMPARE(beside_the_organ(result), 0L);
+}
+
 void ClicksTest::InARegionClicksKeepTheirNumbers() {
   Seeds seeds = clicks_in(phantom_.image);
   seeds.liver.conservativeResize(4, 3);
@@ -179,6 +210,40 @@ void ClicksTest::WhatIsFoundNowhereLeavesWhatThereWas() {
   const Segmented result = segmented(image, seeds, {}, &kept);
   QVERIFY(has_note(result, "vena_cava.not_found"));
   QCOMPARE(voxels(result.labels), 4L);
+}
+
+void ClicksTest::AVesselThatIsFoundNowhereStays() {
+  LabelMap kept = found_.labels;
+  for (int i = 50; i < 54; ++i) {
+    kept.voxels.set({i, 54, 40}, structure::kPortalVein);
+    kept.voxels.set({i, 10, 40}, structure::kHepaticVeins);
+  }
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.portal_vein = test::points_at(phantom_.image, {{104, 108, 96.8}});  // in fat
+  seeds.hepatic_veins = test::points_at(phantom_.image, {{104, 14, 96.8}});
+  const Segmented result = segmented(phantom_.image, seeds, {}, &kept);
+  for (const Label tree : {structure::kPortalVein, structure::kHepaticVeins}) {
+    QVERIFY(has_note(result, structure_name(tree) + ".not_found"));
+    QVERIFY(mask_of(result.labels, tree) == mask_of(kept, tree));
+  }
+}
+
+void ClicksTest::ALesionThatIsFoundNowhereStays() {
+  // A hand painted it, where the CT shows plain liver.
+  LabelMap kept = found_.labels;
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) kept.voxels.set({41 + i, 29 + j, 22 + k}, structure::kFirstLesion);
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.lesions = {test::points_at(phantom_.image, {{85, 61, 52}})};
+  SegmentationOptions lesions;
+  lesions.structures = kNoStructures;
+  lesions.structures.lesions = true;
+  for (const SegmentationOptions& options : {SegmentationOptions(), lesions}) {
+    const Segmented result = segmented(phantom_.image, seeds, options, &kept);
+    QVERIFY(has_note(result, "lesion_1.not_found"));
+    QVERIFY(mask_of(result.labels, structure::kFirstLesion) == mask_of(kept, structure::kFirstLesion));
+  }
 }
 
 void ClicksTest::OneMoreClickChangesNothingFarAway() {

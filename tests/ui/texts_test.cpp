@@ -54,8 +54,8 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
   QCOMPARE(
       ui::note_text("lesion_2.not_found"),
       QStringLiteral(
-          "Lesion 2 was not found: nothing at its seeds differs from the liver. Drag across it in a slice "
-          "to tell its diameter, or paint it."));
+          "Lesion 2 was not found: nothing at its seeds differs from the liver. What there was of it stays. "
+          "Drag across it in a slice to tell its diameter, or paint it."));
   QCOMPARE(
       ui::note_text("lesion_2.as_drawn"),
       QString("Lesion 2: no border was found where its diameter was drawn. It is a ball of that diameter: "

@@ -77,6 +77,12 @@ void take_liver(const Kept& kept, const Field& ct, Bodies& bodies) {
   bodies.parenchyma = tissue_in(ct, parenchyma);
 }
 
+/// How far places lie outside of a contour, as far as kHeld reaches: on fine voxels its band is narrower.
+Field distances_of(const Field& phi) {
+  const double band_mm = static_cast<double>(kBandVoxels) * phi.spacing_mm.minCoeff();
+  return band_mm > kHeld ? phi : signed_distance(negative_of(phi), phi);
+}
+
 /// Gives what lies within kHeld of a click to its side; between two clicks the nearer one decides. A click
 /// inside whose ball does not touch the liver would make an island: it is left out, and segment() notes it.
 void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
@@ -92,7 +98,7 @@ void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
       best = std::min(best, (click - p).cwiseProduct(phi.spacing_mm).norm());
     return best;
   };
-  const Field before = phi;
+  const Field before = distances_of(phi);
   const auto hold = [&](const std::vector<Eigen::Vector3d>& own, const std::vector<Eigen::Vector3d>& others,
                         float side) {
     const Eigen::Vector3i reach =

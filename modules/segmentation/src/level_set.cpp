@@ -13,7 +13,6 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr float kBandVoxels = 3.5F;    // half width of the band, in voxels
 constexpr std::size_t kSpeedCost = 3;  // a front's speed takes as long as so many samples
 constexpr int kStepsPerRebuild = 4;    // 0.4 voxels a step at most: the front stays well inside the band
 

@@ -25,6 +25,10 @@ struct ContourSummary {
   bool converged = false;  ///< the enclosed volume settled
 };
 
+/// Half width of the band around the contour in which evolve() leaves distances, in voxels. Beyond it phi
+/// says only on which side a place lies.
+inline constexpr float kBandVoxels = 3.5F;
+
 /// Signed distance in mm (negative inside) to the boundary of a mask, to about half a voxel.
 Field signed_distance(const Mask& mask, const Field& grid);
 

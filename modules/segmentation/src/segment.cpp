@@ -29,10 +29,10 @@ constexpr double kLeastCava = 8.0;
 /// A full gallbladder is up to 10 cm long and 4 cm wide: an ellipsoid of so much, ml.
 constexpr double kMostGallbladder = 84.0;
 
-void check_points(const Image& image, const Points& points, const char* name) {
+void check_points(const Image& image, const Points& points, const std::string& name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
     if (!holds(image.grid, points.row(n).transpose()))
-      throw InputError("seeds", std::string(name) + " " + std::to_string(n + 1), "lies outside the image",
+      throw InputError("seeds", name + " " + std::to_string(n + 1), "lies outside the image",
                        "Check that the seeds belong to this image and are in mm (LPS)");
   }
 }
@@ -45,7 +45,8 @@ void check_input(const Image& image, const Seeds& seeds) {
   check_points(image, seeds.vena_cava, "vena_cava");
   check_points(image, seeds.gallbladder, "gallbladder");
   check_points(image, seeds.background, "background");
-  for (const Points& lesion : seeds.lesions) check_points(image, lesion, "lesions");
+  for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
+    check_points(image, seeds.lesions[n], "lesions " + std::to_string(n + 1));
   check_diameters("seeds", seeds);
   if (seeds.lesions.size() > structure::kLastLesion - structure::kFirstLesion + 1U)
     throw InputError("seeds", "lesions", "are more than there are labels for", "Click the largest ones");
@@ -84,11 +85,22 @@ Structures found_anew(const Structures& asked, const Seeds& seeds) {
   return anew;
 }
 
-/// A vena cava or gallbladder of which nothing was found stays as it was.
-Structures where_found(Structures anew, const Bodies& bodies) {
+bool is_found(const GrownLesion& lesion) {
+  return !lesion.phi.values.empty() && negative_of(lesion.phi).count() > 0;
+}
+
+/// What nothing was found of stays as it was: structures, and single lesions.
+Structures where_found(Structures anew, const Bodies& bodies, const Vessels& trees) {
+  anew.portal_vein = anew.portal_vein && trees.portal.count() > 0;
+  anew.hepatic_veins = anew.hepatic_veins && trees.hepatic.count() > 0;
   anew.vena_cava = anew.vena_cava && bodies.cava.count() > 0;
   anew.gallbladder = anew.gallbladder && bodies.gallbladder.count() > 0;
   return anew;
+}
+Seeds where_found(Seeds seeds, const Bodies& bodies) {
+  for (std::size_t n = 0; n < bodies.lesions.size(); ++n)
+    if (!is_found(bodies.lesions[n])) seeds.lesions[n] = PointsIn<CtFrame>(0, 3);
+  return seeds;
 }
 
 /// The kept labels, without what is found anew. A kept liver is whole again where vessels or lesions were.
@@ -150,7 +162,7 @@ Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, con
 void paint_lesions(const std::vector<GrownLesion>& lesions, Painting& painting) {
   std::vector<std::pair<long, std::size_t>> order;
   for (std::size_t n = 0; n < lesions.size(); ++n)
-    if (!lesions[n].phi.values.empty()) order.emplace_back(-negative_of(lesions[n].phi).count(), n);
+    if (is_found(lesions[n])) order.emplace_back(-negative_of(lesions[n].phi).count(), n);
   std::sort(order.begin(), order.end());
   const std::vector<std::uint8_t> held = painting.held;
   std::vector<std::uint8_t> held_with_vessels = held;
@@ -265,23 +277,26 @@ void note_sizes(const LabelVolume& labels, const Structures& found, Segmentation
 }
 
 /// Codes, not sentences: what a person should look at.
-void note_doubts(const Seeds& seeds, const Structures& anew, const Bodies& bodies, const Vessels& trees,
-                 SegmentationReport& report) {
+/// @param found of what was asked anew.
+void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& found, const Bodies& bodies,
+                 const Vessels& trees, SegmentationReport& report) {
   if (trees.portal_is_faint) report.notes.emplace_back("portal_vein.faint");
   if (trees.hepatic_is_faint) report.notes.emplace_back("hepatic_veins.faint");
   if (report.liver_ml < 400.0) report.notes.emplace_back("liver.small");
   if (report.liver_ml > 4000.0) report.notes.emplace_back("liver.large");
-  if (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0)
+  const auto is_missing = [&](bool Structures::*one) { return anew.*one && !(found.*one); };
+  if (is_missing(&Structures::portal_vein) || (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0))
     report.notes.emplace_back("portal_vein.not_found");
-  if (seeds.hepatic_veins.rows() > 0 && report.hepatic_ml == 0.0)
+  if (is_missing(&Structures::hepatic_veins) || (seeds.hepatic_veins.rows() > 0 && report.hepatic_ml == 0.0))
     report.notes.emplace_back("hepatic_veins.not_found");
-  if (anew.vena_cava && bodies.cava.count() == 0) report.notes.emplace_back("vena_cava.not_found");
-  if (anew.gallbladder && bodies.gallbladder.count() == 0) report.notes.emplace_back("gallbladder.not_found");
+  if (is_missing(&Structures::vena_cava)) report.notes.emplace_back("vena_cava.not_found");
+  if (is_missing(&Structures::gallbladder)) report.notes.emplace_back("gallbladder.not_found");
   for (std::size_t n = 0; n < report.lesion_ml.size(); ++n) {
     const std::string lesion = "lesion_" + std::to_string(n + 1);
-    const bool is_there = report.lesion_ml[n] > 0.0;
+    const bool was_looked_for = n<bodies.lesions.size(), is_there = report.lesion_ml[n]> 0.0 &&
+                                !(was_looked_for && !is_found(bodies.lesions[n]));
     if (!is_there && seeds.lesions[n].rows() > 0) report.notes.push_back(lesion + ".not_found");
-    if (!is_there || n >= bodies.lesions.size()) continue;
+    if (!is_there || !was_looked_for) continue;
     if (bodies.lesions[n].borderless) report.notes.push_back(lesion + ".as_drawn");
     if (bodies.lesions[n].goes_on) report.notes.push_back(lesion + ".goes_on");
     if (bodies.lesions[n].unseen_mm > 0.0)
@@ -373,13 +388,13 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
 
   const bool parenchyma_held =
       std::find(options.locked.begin(), options.locked.end(), structure::kParenchyma) != options.locked.end();
-  const Structures found = where_found(anew, *bodies);
-  Painting painting = prepared(image, seeds, found, kept, parenchyma_held);
+  const Structures found = where_found(anew, *bodies, vessels->trees);
+  Painting painting = prepared(image, where_found(seeds, *bodies), found, kept, parenchyma_held);
   paint_all(*bodies, *vessels, found, painting);
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
-  note_doubts(seeds, anew, *bodies, vessels->trees, result.report);
+  note_doubts(seeds, anew, found, *bodies, vessels->trees, result.report);
   if (!options.region) note_sizes(result.labels.voxels, found, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");

@@ -45,7 +45,7 @@ class Notes {
         {"vessel_path.faint",
          tr("On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.")},
         {"islands_left", tr("No label was free for the smallest islands: %1 stayed as they were.")},
-        {"portal_vein.not_found", tr("No portal vein was found at its seeds.")},
+        {"portal_vein.not_found", tr("No portal vein was found at its seeds: what there was stays.")},
         {"portal_vein.faint",
          tr("The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot "
             "be told from it, and most of it is missing. Take the portal venous phase.")},
@@ -77,7 +77,7 @@ class Notes {
             "If "
             "not, correct the orientation in the file's header (surfaces: export them in LPS) and import it "
             "again.")},
-        {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds.")},
+        {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds: what there was stays.")},
         {"vessels.pieces_dropped",
          tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
         {"vessels.pieces", tr("%1: separate trees in the model: %2.")},
@@ -316,9 +316,8 @@ class Notes {
   static QList<std::pair<QString, QString>> of_lesions() {
     return {
         {".not_found",
-         tr("%1 was not found: nothing at its seeds differs from the liver. Drag across it in a "
-            "slice to tell its "
-            "diameter, or paint it.")},
+         tr("%1 was not found: nothing at its seeds differs from the liver. What there was of it stays. Drag "
+            "across it in a slice to tell its diameter, or paint it.")},
         {".goes_on", tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its "
                         "diameter.")},
         {".under_surface",

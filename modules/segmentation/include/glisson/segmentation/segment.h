@@ -41,7 +41,7 @@ Seeds read_seeds(const std::filesystem::path& path);
 void write_seeds(const std::filesystem::path& path, const Seeds& seeds);
 
 /// What is found anew. A structure that is not, or that has no seeds, stays as the labels given to segment()
-/// have it; so does a single lesion without seeds.
+/// have it; so does a single lesion without seeds, and what nothing was found of ("portal_vein.not_found").
 struct Structures {
   bool liver = true, portal_vein = true, hepatic_veins = true, vena_cava = true, gallbladder = true,
        lesions = true;  ///< liver: its parenchyma
