@@ -101,6 +101,7 @@ class GrowAroundTest : public QObject {
  private slots:
   void ALesionIsFoundAndNothingElseChanges();
   void ALesionThatWasFoundWronglyIsFoundAnew();
+  void OfALesionThatRanOnNothingIsLeft();
   void ABranchJoinsTheTreeAndNothingIsLost();
   void WhereNothingIsNothingChanges();
   void WhatIsLockedIsSaid();
@@ -150,6 +151,36 @@ void GrowAroundTest::ALesionThatWasFoundWronglyIsFoundAnew() {
   QVERIFY2(found > 0.9, qPrintable(QString::number(found)));
   // What it has no more is liver again.
   QCOMPARE(inside_liver(made.labels), inside_liver(wrong));
+}
+
+void GrowAroundTest::OfALesionThatRanOnNothingIsLeft() {
+  // It ran 80 mm through the liver. Its drawn diameter asks for a look at the first 37 mm only.
+  LabelMap wrong = patient_.labels;
+  const VolumeGrid& grid = patient_.image.grid;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Vec p = Vec(i, j, k).cwiseProduct(grid.spacing_mm);
+        if (wrong.voxels.at({i, j, k}) == structure::kParenchyma &&
+            to_line(p, kBall, kBall - Vec(80, 0, 0)) < kRadius)
+          wrong.voxels.set({i, j, k}, kFirst);
+      }
+  const StructureClick click = click_on(patient_.image, kFirst, kBall);
+  const auto made =
+      grow_around(patient_.image, wrong, with(click, 2.0 * kRadius), click, {}, RunContext()).value();
+  const double found = dice(mask(made.labels, kFirst), mask(patient_.truth, kFirst));
+  QVERIFY2(found > 0.9, qPrintable(QString::number(found)));
+  QCOMPARE(inside_liver(made.labels), inside_liver(wrong));
+  const std::vector<Label> before = wrong.voxels.dense(), after = made.labels.voxels.dense();
+  long changed = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) changed += before[i] != after[i];
+  QCOMPARE(made.voxels_changed, changed);
+  QVERIFY2(made.reach_mm > 80.0, qPrintable(QString::number(made.reach_mm)));
+  // Where nothing is found, it stays.
+  const StructureClick nowhere = click_on(patient_.image, kFirst, Vec(90, 75, 85));
+  const auto same = grow_around(patient_.image, wrong, with(nowhere), nowhere, {}, RunContext()).value();
+  QCOMPARE(same.voxels_changed, 0L);
+  QVERIFY(same.labels.voxels == wrong.voxels);
 }
 
 void GrowAroundTest::ABranchJoinsTheTreeAndNothingIsLost() {

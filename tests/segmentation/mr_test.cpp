@@ -8,7 +8,10 @@
 #include "glisson/insilico/layperson.h"
 #include "glisson/insilico/mr_patient.h"
 #include "glisson/insilico/operator.h"
+#include "glisson/segmentation/grow_around.h"
+#include "glisson/volume/morphology.h"
 #include "mr_scale.h"
+#include "part.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
@@ -77,6 +80,7 @@ class MrTest : public QObject {
   void BloodThatIsNotEnhancedIsRefused();
   void AClickInFatIsRefused();
   void AKeptLiverIsAnAnchorToo();
+  void AroundAClickTheWholePictureIsTheScale();
   void CancelLeavesNothing();
 
  private:
@@ -166,6 +170,42 @@ void MrTest::AKeptLiverIsAnAnchorToo() {
           .round()
           .cast<int>();
   QVERIFY(std::abs(mapped_.at(inside) - kept.at(inside)) < 15);
+}
+
+/// Of the voxels of a label the one that lies deepest in the liver.
+Eigen::Vector3i deepest_of(const LabelMap& labels, Label label) {
+  const VolumeGrid& grid = labels.voxels.grid();
+  Mask liver(grid.size, grid.spacing_mm);
+  liver.voxels = inside_liver(labels);
+  const std::vector<float> depth2 = squared_depth_mm2(liver);
+  Eigen::Vector3i deepest(0, 0, 0);
+  float most = -1.0F;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i)
+        if (const float here = depth2[liver.offset(i, j, k)];
+            labels.voxels.at({i, j, k}) == label && here > most)
+          most = here, deepest = {i, j, k};
+  return deepest;
+}
+
+void MrTest::AroundAClickTheWholePictureIsTheScale() {
+  const Eigen::Vector3i at = deepest_of(venous_.truth, structure::kParenchyma);
+  constexpr std::size_t kNumber = 20;  // of a lesion that the labels do not have
+  const StructureClick click{static_cast<Label>(structure::kFirstLesion + kNumber),
+                             venous_.mr.grid.p_in_ct(at.cast<double>())};
+  Seeds seeds;
+  seeds.lesions.assign(kNumber + 1, PointsIn<CtFrame>(0, 3));
+  seeds.lesions[kNumber] = click.p_in_ct.xyz.transpose();
+  seeds.lesion_diameters_mm.assign(kNumber + 1, 0.0);
+  seeds.lesion_diameters_mm[kNumber] = 8.0;
+  // What is read around it holds liver alone, which tells no scale.
+  const VoxelBox box = box_around(venous_.mr.grid, seeds.lesions[kNumber], 25.0);
+  const LabelMap around = part_of(venous_.truth, box);
+  QVERIFY_THROWS_EXCEPTION(InputError, on_ct_scale(part_of(venous_.mr, box), {}, &around, RunContext()));
+  const CorrectedAround made = grow_around(venous_.mr, venous_.truth, seeds, click, {}, RunContext()).value();
+  QCOMPARE(made.labels.voxels.at(at), click.structure);
+  QVERIFY2(made.voxels_changed > 5 && made.reach_mm < 8.0, qPrintable(QString::number(made.reach_mm)));
 }
 
 void MrTest::CancelLeavesNothing() {

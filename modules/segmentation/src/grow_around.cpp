@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "lesions.h"
+#include "mr_scale.h"
 #include "part.h"
 #include "same_click.h"
 
@@ -68,21 +69,47 @@ void check(const Image& image, const LabelMap& labels, const StructureClick& cli
       throw InputError("labels", structure_name(label), "is locked", "Unlock it, or click another structure");
 }
 
+void change(const Eigen::Vector3i& place, Label to, const StructureClick& click, CorrectedAround& result) {
+  LabelVolume& labels = result.labels.voxels;
+  labels.set(place, to);
+  ++result.voxels_changed;
+  const Eigen::Vector3d p = labels.grid().p_in_ct(place.cast<double>()).xyz;
+  result.reach_mm = std::max(result.reach_mm, 1e3 * (p - click.p_in_ct.xyz).norm());
+}
+
+/// Makes liver of what the labels have of a lesion outside of the box: what ran on is wider than what was
+/// drawn.
+void clear_beyond(const VoxelBox& box, const StructureClick& click, CorrectedAround& result) {
+  const LabelVolume before = result.labels.voxels;  // its bricks are shared
+  for (std::size_t number = 0; number < before.brick_count(); ++number) {
+    const auto& brick = before.brick(number);
+    if (!brick || std::find(brick->begin(), brick->end(), click.structure) == brick->end()) continue;
+    const Eigen::Vector3i low = LabelVolume::kSide * before.brick_place(number),
+                          high = (low.array() + LabelVolume::kSide).matrix().cwiseMin(before.grid().size);
+    for (int k = low.z(); k < high.z(); ++k)
+      for (int j = low.y(); j < high.y(); ++j)
+        for (int i = low.x(); i < high.x(); ++i) {
+          const Eigen::Vector3i place(i, j, k);
+          const bool is_in_box =
+              (place.array() >= box.low.array()).all() && (place.array() < box.high.array()).all();
+          if (!is_in_box && before.at(place) == click.structure)
+            change(place, structure::kParenchyma, click, result);
+        }
+  }
+}
+
 /// Puts what was found in a part of the image into the labels.
 void paste(const LabelMap& found, const VoxelBox& box, const StructureClick& click, CorrectedAround& result) {
-  LabelVolume& labels = result.labels.voxels;
+  const LabelVolume& labels = result.labels.voxels;
   const bool only_gains = !is_lesion(click.structure);
   for (int k = box.low.z(); k < box.high.z(); ++k)
     for (int j = box.low.y(); j < box.high.y(); ++j)
       for (int i = box.low.x(); i < box.high.x(); ++i) {
         const Eigen::Vector3i place(i, j, k);
         const Label now = found.voxels.at(place - box.low), before = labels.at(place);
-        if (now == before || (only_gains && now != click.structure)) continue;
-        labels.set(place, now);
-        ++result.voxels_changed;
-        const Eigen::Vector3d p = labels.grid().p_in_ct(place.cast<double>()).xyz;
-        result.reach_mm = std::max(result.reach_mm, 1e3 * (p - click.p_in_ct.xyz).norm());
+        if (now != before && (!only_gains || now == click.structure)) change(place, now, click, result);
       }
+  if (!only_gains) clear_beyond(box, click, result);
 }
 
 }  // namespace
@@ -127,13 +154,18 @@ Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& lab
     result.notes.push_back(code + ".not_found");
     return result;
   }
-  const auto found = segment(part_of(image, box), question.seeds, question.options, context, &kept);
+  // By the whole of an MRI: the part around a click may hold neither fat nor air.
+  const double scaled = image.modality == Modality::ct ? 0.0 : 0.5;
+  const auto on_scale = on_ct_scale(image, question.seeds, &labels, context.part(0.0, scaled));
+  if (!on_scale) return std::nullopt;
+  const auto found =
+      segment(part_of(*on_scale, box), question.seeds, question.options, context.part(scaled, 1.0), &kept);
   if (!found) return std::nullopt;
   // Of the part alone the others say nothing: its liver is small.
   std::copy_if(found->report.notes.begin(), found->report.notes.end(), std::back_inserter(result.notes),
                [&](const std::string& note) { return note.rfind(code + ".", 0) == 0; });
-  const std::vector<long> counts = found->labels.voxels.histogram();
-  if (click.structure >= counts.size() || counts[click.structure] == 0) return result;
+  if (std::find(result.notes.begin(), result.notes.end(), code + ".not_found") != result.notes.end())
+    return result;
   paste(found->labels, box, click, result);
   if (result.voxels_changed > 0) name_structure(click.structure, result.labels);
   return result;

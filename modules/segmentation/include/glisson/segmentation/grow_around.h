@@ -25,8 +25,8 @@ std::vector<StructureClick> structure_clicks_added(const Seeds& before, const Se
 
 /// A branch or a lesion found by segment() in the surroundings of a click alone; all else stays, voxel by
 /// voxel. A vessel is followed from the click, 45 mm to each side, and only gains: what the labels have of it
-/// stays. A lesion is found anew from all its clicks, and takes the place of what the labels have of it.
-/// Where nothing is found nothing changes, and a note says so ("portal_vein.not_found",
+/// stays. A lesion is found anew from all its clicks, and takes the place of all that the labels have of it,
+/// wherever that lies. Where nothing is found nothing changes, and a note says so ("portal_vein.not_found",
 /// "lesion_2.not_found").
 /// @param seeds of a lesion its clicks and diameter are read, the click among them.
 /// @param locked neither lose nor gain a voxel.
