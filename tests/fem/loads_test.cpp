@@ -68,6 +68,15 @@ class LoadsTest : public QObject {
     QCOMPARE(applied.at(model->mesh().vertices, 0.25).pressure, 800.0);
   }
 
+  void ATriangleThatIsNamedTwiceBearsItsPressureOnce() {
+    const auto model = bar();
+    const auto pressed = [&](const char* text) {
+      return AppliedLoad(parsed(text), *model).at(model->mesh().vertices).pressure_triangles;
+    };
+    QCOMPARE(pressed(R"({"pressure": {"pascal": 1, "triangles": [3, 1, 3, 3]}})"), (std::vector{3, 1}));
+    QCOMPARE(pressed(R"({"pressure": {"pascal": 1, "triangles": [3, 1]}})"), (std::vector{3, 1}));
+  }
+
   void MalformedFilesAreRefused_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("field");

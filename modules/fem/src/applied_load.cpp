@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "glisson/core/error.h"
@@ -83,7 +84,10 @@ std::vector<std::pair<AppliedLoad::Anchor, double>> AppliedLoad::places(const Lo
 AppliedLoad::AppliedLoad(const LoadCase& load, const CompositeModel& model) : ramp_(load.ramp) {
   base_.gravity_change = load.gravity_change;
   base_.pressure = load.pressure;
-  base_.pressure_triangles = load.pressure_triangles;
+  // Named twice a triangle bears its pressure once, as a node that is fixed twice.
+  std::set<int> named;
+  for (const int t : load.pressure_triangles)
+    if (named.insert(t).second) base_.pressure_triangles.push_back(t);
   for (const int t : load.pressure_triangles)
     if (t < 0 || t >= model.surface().mesh.triangle_count())
       throw InputError(
