@@ -2192,6 +2192,10 @@
         <translation>fehlt oder hat nicht je Eckpunkt einen Vektor</translation>
     </message>
     <message>
+        <source>is no share from 0 to 1 of each vertex</source>
+        <translation>hat nicht je Eckpunkt einen Anteil von 0 bis 1</translation>
+    </message>
+    <message>
         <source>do not belong to this atlas.json</source>
         <translation>gehören nicht zu dieser atlas.json</translation>
     </message>

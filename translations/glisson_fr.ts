@@ -2192,6 +2192,10 @@
         <translation>manque, ou n’a pas un vecteur par sommet</translation>
     </message>
     <message>
+        <source>is no share from 0 to 1 of each vertex</source>
+        <translation>n’a pas une part de 0 à 1 par sommet</translation>
+    </message>
+    <message>
         <source>do not belong to this atlas.json</source>
         <translation>n’appartiennent pas à cet atlas.json</translation>
     </message>

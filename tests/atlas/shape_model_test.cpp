@@ -2,10 +2,14 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <QTest>
+#include <limits>
 #include <random>
 
+#include "glisson/atlas/atlas.h"
+#include "glisson/atlas/member.h"
 #include "glisson/atlas/shape_model.h"
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/core/random.h"
 
 using namespace glisson;
@@ -31,6 +35,48 @@ double apart(const Points& a, const Points& b) { return (a - b).cwiseAbs().maxCo
 class ShapeModelTest : public QObject {
   Q_OBJECT
  private slots:
+  void sharesOfAnAreaLieBetweenNothingAndAll() {
+    // An octahedron stands for the mean liver.
+    Atlas atlas;
+    atlas.shape.mean.resize(6, 3);
+    atlas.shape.mean << 0.1, 0, 0, -0.1, 0, 0, 0, 0.08, 0, 0, -0.08, 0, 0, 0, 0.07, 0, 0, -0.07;
+    atlas.triangles.resize(8, 3);
+    atlas.triangles << 0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5;
+    atlas.shape.modes.resize(18, 0);
+    atlas.usual = atlas.log_size_deviation = 1.0;
+    StructureStatistics cava;
+    cava.structure = Structure::vena_cava;
+    cava.mean = Points::Zero(5, 3);
+    cava.slopes.resize(15, 0);
+    cava.members = {"a", "b", "c"};
+    cava.residuals.assign(3, Points::Zero(5, 3));
+    cava.share = Eigen::VectorXd::LinSpaced(6, 0.0, 1.0);
+    const auto reread = [&](double share) {
+      const TemporaryFolder folder;
+      cava.share[2] = share;
+      atlas.structures = {cava};
+      write_atlas(folder.path(), atlas);
+      return read_atlas(folder.path()).structures.front().share;
+    };
+    QVERIFY((reread(0.4) - cava.share).cwiseAbs().maxCoeff() < 1e-6);
+    for (const double share : {1e9, -0.5, std::numeric_limits<double>::quiet_NaN()})
+      QVERIFY_THROWS_EXCEPTION(InputError, reread(share));
+  }
+  void aContactWithoutLengthHasNoMiddleLine() {
+    const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+    const auto line = [&](Structure structure, const Points& contact) {
+      return ordered_points(structure, contact, upright, Points(0, 3)).rows();
+    };
+    Points slice(25, 3);  // all at one height
+    for (int i = 0; i < 25; ++i) slice.row(i) << 1e-3 * (i % 5), 1e-3 * (i / 5), 0.12;
+    QCOMPARE(line(Structure::vena_cava, slice), Eigen::Index{0});
+    const Points one_place = Points::Constant(30, 3, 0.05);
+    QCOMPARE(line(Structure::vena_cava, one_place), Eigen::Index{0});
+    QCOMPARE(line(Structure::gallbladder_bed, one_place), Eigen::Index{0});
+    Points upwards = slice;
+    for (int i = 0; i < 25; ++i) upwards(i, 2) += 1e-3 * i;
+    QCOMPARE(line(Structure::vena_cava, upwards), Eigen::Index{point_count(Structure::vena_cava)});
+  }
   void aKnownSimilarityIsRecovered() {
     const Points source = cloud(1, 40);
     const Similarity truth = some(1.7, 2.6, {1, -2, 0.5}, {0.3, -0.1, 0.2});

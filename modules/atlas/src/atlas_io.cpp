@@ -166,8 +166,13 @@ void take_modes(Atlas& atlas, const TriangleFile& file, const std::string& name,
     atlas.shape.modes.col(k) = Eigen::Map<const Eigen::VectorXd>(mode.data(), mode.size());
   }
   for (StructureStatistics& one : atlas.structures)
-    if (const auto found = file.point_data.find(share_name(one.structure)); found != file.point_data.end())
+    if (const auto found = file.point_data.find(share_name(one.structure)); found != file.point_data.end()) {
+      const auto share = found->second.array();
+      if (share.cols() != 1 || !(share >= 0.0 && share <= 1.0).all())
+        throw InputError(name, share_name(one.structure), "is no share from 0 to 1 of each vertex",
+                         "Build the atlas again, or take another one");
       one.share = found->second.col(0);
+    }
 }
 
 }  // namespace

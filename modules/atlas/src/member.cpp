@@ -29,13 +29,14 @@ const TriangleMesh* surface_of(const PatientModel& model, Label structure) {
   return nullptr;
 }
 
-/// Middles of the slabs into which an area is cut along a direction.
+/// Middles of the slabs into which an area is cut along a direction. Empty: it has no length there.
 Points middle_line(const Points& area, const Eigen::Vector3d& along, int count) {
   const Eigen::VectorXd at = area * along;
   std::vector<double> sorted(at.data(), at.data() + at.size());
   std::sort(sorted.begin(), sorted.end());
   const double low = interpolated_percentile(sorted, kTrim),
                high = interpolated_percentile(sorted, 1 - kTrim);
+  if (!(high > low)) return Points(0, 3);
   Points sums = Points::Zero(count, 3);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
   for (Eigen::Index i = 0; i < area.rows(); ++i) {

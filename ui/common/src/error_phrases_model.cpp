@@ -9,6 +9,7 @@ namespace glisson::ui {
 const std::vector<const char*>& model_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is missing, or no vector a vertex"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is no share from 0 to 1 of each vertex"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "do not belong to this atlas.json"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has two of the name %1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no surface"),
