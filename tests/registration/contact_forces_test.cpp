@@ -4,6 +4,7 @@
 #include <QTest>
 #include <chrono>
 #include <fstream>
+#include <memory>
 #include <random>
 
 #include "data_folder.h"
@@ -95,6 +96,28 @@ class ContactForcesTest : public QObject {
     const double error = pulled.error(pulled.fit(pulled.options()));
     QVERIFY2(error < 0.002 * pulled.motion(),
              qPrintable(QString("%1 of %2 mm").arg(1e3 * error).arg(1e3 * pulled.motion())));
+  }
+
+  /// The first stage explains the cloud, the second tells nothing and goes back to the prior's mean.
+  void TornIsWhatItIsInTheShapeThatIsKept() {
+    Pulled pulled;
+    auto prior = std::make_shared<OperationPrior>();
+    Points longer = Points::Zero(pulled.model.mesh.vertex_count(), 3);
+    const Points& rest = pulled.model.mesh.vertices;
+    for (Eigen::Index i = 0; i < rest.rows(); ++i) longer(i, 1) = 1.6 * std::min(0.0, rest(i, 1) - 0.055);
+    prior->modes = Eigen::Map<const fem::NodalColumns>(longer.data(), longer.size(), 1);
+    pulled.see(rest + longer);
+    pulled.shake(0.3e-3);
+    ContactForceOptions options = pulled.options();
+    options.prior = prior;
+    options.amplitudes = Eigen::VectorXd::Ones(1);
+    options.materials = {{fem::BodyLaw::neo_hookean, 0.45}};
+    options.poisson_ratios = {};
+    options.sigmas = {0.5e-3, 500.0};
+    options.max_step = 1.0;
+    const ContactForceFit fit = pulled.fit(options);
+    QVERIFY2(std::abs(fit.amplitudes[0] - 1.0) < 0.1, qPrintable(QString::number(fit.amplitudes[0])));
+    QVERIFY2(fit.torn < 0.02, qPrintable(QString::number(fit.torn)));
   }
 
   void FindsTheShapeTheLawAndThePlace() {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 #include <QTest>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "glisson/core/random.h"
@@ -43,6 +45,7 @@ class FindingsTest : public QObject {
   void MeanErrorIsThatOfSamples_data();
   void MeanErrorIsThatOfSamples();
   void NinetyFiveOfAHundredSamplesLieInTheEllipsoid();
+  void WhatIsNoNumberIsNotCertain();
   void WhatIsSeenIsKnownBetter();
   void MoreOfTheSurfaceLeavesLessUnknownEverywhere();
   void EachNodesCovarianceIsThatOfItsPlace();
@@ -110,6 +113,15 @@ void FindingsTest::NinetyFiveOfAHundredSamplesLieInTheEllipsoid() {
   for (int i = 0; i < kSamples; ++i)
     inside += (turn.transpose() * draw(root, random)).cwiseQuotient(axes).norm() < 1.0;
   QVERIFY(std::abs(inside / static_cast<double>(kSamples) - 0.95) < 0.006);
+}
+
+void FindingsTest::WhatIsNoNumberIsNotCertain() {
+  Eigen::Matrix3d covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  covariance(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  QVERIFY(std::isnan(mean_error(covariance)));
+  const Eigen::Vector3d axes = half_axes_95(covariance);
+  QVERIFY(std::isnan(axes[0]) && std::isnan(axes[1]) && std::isnan(axes[2]));
+  QCOMPARE(mean_error(Eigen::Matrix3d::Zero()), 0.0);
 }
 
 void FindingsTest::WhatIsSeenIsKnownBetter() {

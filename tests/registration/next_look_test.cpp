@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <QTest>
+#include <limits>
 #include <set>
 
 #include "glisson/geometry/rigid.h"
@@ -269,6 +270,8 @@ void NextLookTest::SmallGainsAreNotWorthALook() {
   QVERIFY(best_look(looks)->kind == NextLook::Kind::notch);
   looks.now = 0.9e-3, looks.seen.setConstant(0.5e-3), looks.margin = looks.notch = 0.9e-3;
   QVERIFY(!best_look(looks));  // under half a millimetre nobody can tell
+  looks.now = std::numeric_limits<double>::quiet_NaN();
+  QVERIFY(!best_look(looks));  // nor is anything told of what is not known
 }
 
 void NextLookTest::NotesTellWhereAndHowMuch() {

@@ -3,6 +3,9 @@
 #include "verdict.h"
 
 #include <QTest>
+#include <limits>
+#include <string>
+#include <vector>
 
 using namespace glisson::registration;
 
@@ -32,6 +35,12 @@ class VerdictTest : public QObject {
     // What was not asked does not speak.
     Findings silent;
     QVERIFY(judge(silent).doubts.empty());
+  }
+
+  void AnExpectedErrorThatIsNoNumberIsADoubt() {
+    Findings findings = sound();
+    findings.expected = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large inf 8"});
   }
 
   void EachFindingHasItsDoubt_data() {

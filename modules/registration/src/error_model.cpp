@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "farthest_first.h"
 #include "force_rows.h"
@@ -63,6 +64,7 @@ Eigen::MatrixXd of_looks(const ForceRows& rows, Eigen::Index columns, const Eige
 Eigen::Vector3d LesionError::half_axes_95() const { return registration::half_axes_95(covariance); }
 
 Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance) {
+  if (!covariance.allFinite()) return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance, Eigen::EigenvaluesOnly);
   return (kEllipsoid95 * eigen.eigenvalues().cwiseMax(0.0)).cwiseSqrt().reverse();
 }
@@ -71,6 +73,7 @@ Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance) {
 /// directions that count: n = (tr C)^2 / tr C^2, E|x| = sqrt(2 tr C / n) Gamma((n + 1) / 2) / Gamma(n / 2).
 double mean_error(const Eigen::Matrix3d& covariance) {
   const double trace = covariance.trace(), square = covariance.squaredNorm();
+  if (!covariance.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   if (!(trace > 0.0)) return 0.0;
   const double n = trace * trace / square;
   return std::sqrt(2.0 * trace / n) * std::exp(std::lgamma(0.5 * (n + 1.0)) - std::lgamma(0.5 * n));

@@ -470,7 +470,7 @@ ContactForceFit ForceFitter::result() const {
   fit.looks = best_.looks;
   fit.outlier_share = best_.outlier_share;
   fit.inverted = best_.inverted;
-  fit.torn = torn_share(problem_.model.mesh, body_.rest(), best_.x);
+  fit.torn = torn_share(problem_.model.mesh, shape(best_.modes), best_.x);
   fit.iterations = iterations_;
   fit.termination = best_.law.termination;
   return fit;

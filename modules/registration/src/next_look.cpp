@@ -251,7 +251,7 @@ std::optional<NextLook> best_look(const LesionLooks& looks) {
   }
   offer(NextLook::Kind::margin, -1, looks.margin);
   offer(NextLook::Kind::notch, -1, looks.notch);
-  if (best.now - best.after < std::max(kLeast, kShare * best.now)) return {};
+  if (!(best.now - best.after >= std::max(kLeast, kShare * best.now))) return {};
   return best;
 }
 

@@ -53,7 +53,9 @@ Verdict judge(const Findings& found) {
     verdict.refused = verdict.refused || refuses;
   };
   weigh("cloud_noisy", found.roughness, 3.0 * kUsualNoise, 5.0 * kUsualNoise, 1e3);
-  weigh("expected_error_large", found.expected, kMuchExpected, kNever, 1e3);
+  // It is always asked: what is no number then is not small.
+  weigh("expected_error_large", std::isnan(found.expected) ? kNever : found.expected, kMuchExpected, kNever,
+        1e3);
   weigh("elsewhere_probable", found.elsewhere, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("looks_differ", found.looks_differ, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, -kEvenOdds, -1.0);

@@ -25,7 +25,7 @@ struct LesionError {
   /// Half axes of the ellipsoid that holds it in 95 of 100 cases, metres, the longest first.
   Eigen::Vector3d half_axes_95() const;
 };
-/// Mean length of a normal vector of this covariance, metres.
+/// Mean length of a normal vector of this covariance, metres. What is no number gives none, here and below.
 double mean_error(const Eigen::Matrix3d& covariance);
 /// Half axes of the ellipsoid that holds a place of this covariance in 95 of 100 cases, m, the longest first.
 Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance);
