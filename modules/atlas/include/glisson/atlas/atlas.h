@@ -141,8 +141,8 @@ Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, c
 /// An atlas that is but a template: triangles and mean.
 Atlas bare_atlas(const TriangleMesh& mean);
 
-/// A folder with atlas.json and mean.vtp (millimetres), written whole or not at all.
-/// @throws FileError.
+/// A folder with atlas.json and mean.vtp (millimetres), each written whole or not at all, one after the
+/// other: what replaces an atlas is written beside it first. @throws FileError.
 void write_atlas(const std::filesystem::path& folder, const Atlas& atlas);
 /// @throws FileError missing; InputError malformed, of another version, or of files that do not belong
 /// together.
