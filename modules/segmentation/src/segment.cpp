@@ -293,8 +293,8 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& f
   if (is_missing(&Structures::gallbladder)) report.notes.emplace_back("gallbladder.not_found");
   for (std::size_t n = 0; n < report.lesion_ml.size(); ++n) {
     const std::string lesion = "lesion_" + std::to_string(n + 1);
-    const bool was_looked_for = n<bodies.lesions.size(), is_there = report.lesion_ml[n]> 0.0 &&
-                                !(was_looked_for && !is_found(bodies.lesions[n]));
+    const bool was_looked_for = n < bodies.lesions.size();
+    const bool is_there = report.lesion_ml[n] > 0.0 && (!was_looked_for || is_found(bodies.lesions[n]));
     if (!is_there && seeds.lesions[n].rows() > 0) report.notes.push_back(lesion + ".not_found");
     if (!is_there || !was_looked_for) continue;
     if (bodies.lesions[n].borderless) report.notes.push_back(lesion + ".as_drawn");
