@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ball_surfaces.h"
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/commands/keep_moment.h"
 #include "glisson/engine/commands/open_case.h"
@@ -13,7 +14,6 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/script.h"
-#include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
@@ -86,14 +86,7 @@ engine::KeptMoment MomentsCommandsTest::moment(int frame, Validity validity) con
 
 void MomentsCommandsTest::initTestCase() {
   make_folder();
-  fs::create_directory(at("surfaces"));
-  const TriangleMesh liver = boundary_surface(test::ball(8)).mesh;
-  TriangleMesh lesion = liver;
-  lesion.vertices = 0.12 * liver.vertices;
-  lesion.vertices.col(2) *= 2.0;
-  lesion.vertices.rowwise() += Eigen::RowVector3d(0.03, 0.0, -0.01);
-  write_triangle_mesh(at("surfaces/liver.stl"), liver, LengthUnit::millimetre);
-  write_triangle_mesh(at("surfaces/lesions.stl"), lesion, LengthUnit::millimetre);
+  test::write_ball_surfaces(at("surfaces"));
   stereo::write_calibration(at("c.yaml"), test::rig());
   script_ = std::make_unique<engine::Script>(RunContext());
   model::ModelOptions options;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ball_surfaces.h"
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/save_case.h"
@@ -104,14 +105,7 @@ Picture TrackReplayTest::expected(int frame) const {
 
 void TrackReplayTest::initTestCase() {
   make_folder();
-  fs::create_directory(at("surfaces"));
-  const TriangleMesh liver = boundary_surface(test::ball(8)).mesh;
-  TriangleMesh lesion = liver;
-  lesion.vertices = 0.12 * liver.vertices;
-  lesion.vertices.col(2) *= 2.0;
-  lesion.vertices.rowwise() += Eigen::RowVector3d(0.03, 0.0, -0.01);
-  write_triangle_mesh(at("surfaces/liver.stl"), liver, LengthUnit::millimetre);
-  write_triangle_mesh(at("surfaces/lesions.stl"), lesion, LengthUnit::millimetre);
+  test::write_ball_surfaces(at("surfaces"));
   const StereoRig rig = test::rig();
   stereo::write_calibration(at("c.yaml"), rig);
   {
