@@ -24,6 +24,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/moments.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/other_registration.h"
@@ -76,6 +77,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::operations] = std::make_shared<SimulatedOperations>();
   full[part::registration] = std::make_shared<Registration>();
   full[part::live] = std::make_shared<LiveState>();
+  full[part::moments] = std::make_shared<KeptMoments>();
   full[part::other_registration] = std::make_shared<OtherRegistration>();
   full[part::keeping] = std::make_shared<Keeping>();
   std::set<std::string_view> codes;

@@ -271,7 +271,9 @@ void CaseStereoTest::WhatIsWrongWithThePointsIsNamedAndTheRestIsThere_data() {
   row("a group is gone", "points/points.json", "\"density\":", "\"sparsity\":", "density: is missing");
   row("fewer cells", "points/points.json", "\"columns\": ", "\"columns\": 1", "density.per_cm2: holds");
   row("too few covariances", "points/whole.ply", "element vertex ", "element vertex 1", "points/whole.ply");
-  row("no normals", "points/whole.ply", "property float nx", "property float mx", "nx, ny, nz: are missing");
+  row("no normals", "points/whole.ply", "property float nx\nproperty float ny\nproperty float nz",
+      "property float mx\nproperty float my\nproperty float mz", "nx, ny, nz: are missing");
+  row("half a normal", "points/whole.ply", "property float nx", "property float mx", "no property \"nx\"");
 }
 
 void CaseStereoTest::WhatIsWrongWithThePointsIsNamedAndTheRestIsThere() {

@@ -56,9 +56,10 @@ void LabelSheetTest::WhatIsWrongIsNamedByField_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<QString>("field");
   const auto row = [](const char* more, const char* field) {
-    QTest::newRow(more)
-        << QString(R"({"channels": ["background", "parenchyma"], "window_hu": [0, 1], %1})").arg(more)
-        << QString(field);
+    QStringList entries = {QString(more)};
+    for (const char* entry : {R"("channels": ["background", "parenchyma"])", R"("window_hu": [0, 1])"})
+      if (!entries[0].startsWith(QString(entry).section(':', 0, 0))) entries << QString(entry);
+    QTest::newRow(more) << '{' + entries.join(", ") + '}' << QString(field);
   };
   row(R"("windows_hu": [0, 1])", "windows_hu");
   row(R"("window_hu": [5, 5])", "window_hu");
