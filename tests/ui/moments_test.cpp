@@ -82,6 +82,7 @@ void UiMomentsTest::NothingIsKeptBeforeTracking() {
 void UiMomentsTest::TheFrameOnTheScreenIsKeptAsItWasTaken() {
   reach_registration(300);
   track();
+  QTRY_VERIFY_WITH_TIMEOUT(frames() > 3, 20000);  // so that there are former ones
   key(Qt::Key_Space);
   QVERIFY(rests());
   const ui::PaintedOverlay seen = panel().live().on_screen();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/live_picture.h"
 
+#include <QFontInfo>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -65,7 +66,7 @@ void LivePicture::set_mark(const QString& words) {
 void LivePicture::paint_over(QPainter& painter) {
   if (!mark_.isEmpty()) {
     QFont font = painter.font();
-    font.setPointSizeF(1.3 * font.pointSizeF());
+    font.setPixelSize(qRound(1.3 * QFontInfo(font).pixelSize()));
     font.setBold(true);
     painter.setFont(font);
     QRectF box = painter.fontMetrics().boundingRect(mark_).adjusted(-12, -6, 12, 6);
