@@ -222,6 +222,9 @@ class CalibrationIoTest : public QObject {
     std::string twice = json;
     twice.insert(twice.rfind(" }"), ", \"M1\": " + camera);
     QCOMPARE(refusal(twice), std::string("\"M1\""));
+    std::string deep = json;
+    deep.insert(deep.rfind(" }"), ", \"note\": " + std::string(70, '[') + std::string(70, ']'));
+    QVERIFY_THROWS_EXCEPTION(InputError, read_calibration(file(deep)));
     QCOMPARE(refusal("<?xml version=\"1.0\"?>\n<opencv_storage></opencv_storage>\n"), std::string(""));
   }
 

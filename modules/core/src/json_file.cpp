@@ -15,7 +15,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_text.h"
-#include "glisson/core/nesting.h"
+#include "nesting.h"
 
 namespace glisson {
 namespace {
@@ -49,6 +49,7 @@ std::optional<std::string> named_twice(std::string_view json) {
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text, const std::string& name) {
+  if (nests_too_deep(text)) throw InputError(name, "", kTooDeep, "Write the file anew");
   nlohmann::json document = nlohmann::json::parse(text);
   if (const std::optional<std::string> twice = named_twice(text))
     throw InputError(name, nlohmann::json(*twice).dump(), "stands twice", "Keep one of them");
@@ -63,7 +64,6 @@ nlohmann::json read_json(const std::filesystem::path& path) {
     throw InputError(path.string(), "", "is larger than 100 MB, more than any list needs",
                      "Check that this is the right file");
   const std::string text = read_file(path);
-  if (nests_too_deep(text)) throw InputError(path.string(), "", kTooDeep, "Write the file anew");
   try {
     return parse_json(text, path.string());
   } catch (const nlohmann::json::parse_error& failure) {
@@ -86,11 +86,11 @@ void for_each_json_line(const std::filesystem::path& path, const char* remedy,
   for (std::string text; std::getline(lines, text);) {
     const std::string line = "line " + std::to_string(++count);
     if (text.empty()) continue;
-    if (nests_too_deep(text)) throw InputError(path.string(), line, kTooDeep, remedy);
     try {
       take(parse_json(text, path.string()));
     } catch (const InputError& error) {
-      throw InputError(path.string(), line + ", " + error.field(), error.problem(), error.remedy());
+      const std::string field = error.field().empty() ? line : line + ", " + error.field();
+      throw InputError(path.string(), field, error.problem(), error.remedy());
     } catch (const std::exception& failure) {
       throw InputError(path.string(), line, std::string("is malformed (") + failure.what() + ")", remedy);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/core/nesting.h"
+#include "nesting.h"
 
 namespace glisson {
 

@@ -10,7 +10,6 @@
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
 #include "glisson/core/json_text.h"
-#include "glisson/core/nesting.h"
 
 namespace glisson::fem {
 namespace {
@@ -268,7 +267,6 @@ Eigen::Vector3d gravity_in_posture(const std::string& posture) {
 LoadCase read_load_case(const std::filesystem::path& path) { return parse(read_json(path), path.string()); }
 
 LoadCase parse_load_case(const std::string& text, const std::string& name) {
-  if (nests_too_deep(text)) throw InputError(name, "", "is not valid JSON", "Correct it");
   json document;
   try {
     document = parse_json(text, name);
