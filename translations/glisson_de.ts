@@ -6489,6 +6489,10 @@
         <translation>Jemand hat diesen Ort unter mehreren gewählt; die Punkte allein gaben ihm %1 %.</translation>
     </message>
     <message>
+        <source>%1 is brighter than the liver, and a vein goes on at %2 % of its surface: it may be a piece of that vein. Check it in the slices.</source>
+        <translation>%1 ist heller als die Leber, und an %2 % der Oberfläche geht eine Vene weiter: Es kann ein Stück dieser Vene sein. In den Schichten prüfen.</translation>
+    </message>
+    <message>
         <source>%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it in the slices.</source>
         <translation>%1: Wo der Durchmesser gezogen wurde, fand sich kein Rand. Markiert ist eine Kugel dieses Durchmessers: in den Schichten prüfen.</translation>
     </message>

@@ -6489,6 +6489,10 @@
         <translation>Une personne a choisi cette position parmi plusieurs ; les points seuls lui donnaient %1 %.</translation>
     </message>
     <message>
+        <source>%1 is brighter than the liver, and a vein goes on at %2 % of its surface: it may be a piece of that vein. Check it in the slices.</source>
+        <translation>%1 est plus clair que le foie, et une veine continue à %2 % de sa surface : ce peut être un morceau de cette veine. À vérifier dans les coupes.</translation>
+    </message>
+    <message>
         <source>%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it in the slices.</source>
         <translation>%1 : aucun bord n’a été trouvé là où le diamètre a été tracé. C’est une boule de ce diamètre : à vérifier dans les coupes.</translation>
     </message>

@@ -16,6 +16,8 @@ using Vec = Eigen::Vector3d;
 
 const Vec kMiddle(60, 54, 50);  // mm from the corner
 constexpr double kRadius = 13.0, kLiver = 108.0;
+const Eigen::Vector2d kVein(60.0, 54.0 - 0.9 * kRadius - 3.0);  // along z
+constexpr double kVeinRadius = 4.0;
 
 /// A liver with one lesion, an ellipsoid, and a vessel of 170 HU and 4 mm that touches it; noise of 12 HU.
 struct Phantom {
@@ -36,7 +38,7 @@ Phantom phantom(const std::function<double(const Vec&, double f)>& look, double 
   result.image = test::noisy_ct(grid, 11, 12.0, [&](const Vec& p) {
     const bool liver = (p - kMiddle).cwiseQuotient(Vec(52, 46, 42)).norm() < 1.0;
     const double f = ((p - kMiddle).cwiseQuotient(Vec(1.15, 0.9, 1.0)).norm() - kRadius);
-    const bool vessel = std::hypot(p.x() - 60.0, p.y() - 54.0 + 0.9 * kRadius + 3.0) < 4.0;
+    const bool vessel = (p.head<2>() - kVein).norm() < kVeinRadius;
     double hu = liver ? kLiver : -90.0;
     if (vessel && liver) hu = 170.0;
     if (f < 0.0 && blur_mm == 0.0) hu = look(p, f);
@@ -140,6 +142,7 @@ class LesionsTest : public QObject {
   void LiverOverALesionIsNotFilledUp();
   void ALayerThatIsNotSeenIsTold();
   void WhatIsNoLesionIsNotFound();
+  void APieceOfAVeinIsTold();
   void AFaintRimIsFoundOrSaid();
   void ADiameterFindsWhatCannotBeSeen();
   void ADiameterBoundsIt();
@@ -231,6 +234,36 @@ void LesionsTest::WhatIsNoLesionIsNotFound() {
   const Grown one = grown(none, Vec(3, 0, 2));
   QCOMPARE(one.ml, 0.0);
   QVERIFY(one.says("lesion_1.not_found"));
+}
+
+void LesionsTest::APieceOfAVeinIsTold() {
+  // The phantom's vein without the 10 mm around the click, as where a tree was not found.
+  const auto with_vein = [](Phantom made, double gap_mm) {
+    const VolumeGrid& grid = made.image.grid;
+    for (int k = 0; k < grid.size.z(); ++k)
+      for (int j = 0; j < grid.size.y(); ++j)
+        for (int i = 0; i < grid.size.x(); ++i) {
+          const Vec p = Vec(i, j, k).cwiseProduct(grid.spacing_mm);
+          if ((p.head<2>() - kVein).norm() < kVeinRadius && std::abs(p.z() - kMiddle.z()) > gap_mm &&
+              made.kept.voxels.at({i, j, k}) != 0)
+            made.kept.voxels.set({i, j, k}, structure::kHepaticVeins);
+        }
+    made.kept.infos.push_back(structure_info(structure::kHepaticVeins));
+    return made;
+  };
+  const auto says = [](const Grown& one) {
+    return std::any_of(one.notes.begin(), one.notes.end(),
+                       [](const std::string& note) { return note.starts_with("lesion_1.perhaps_vein "); });
+  };
+  const Phantom none = phantom([](const Vec&, double) { return kLiver; });
+  const Grown vein = grown(with_vein(none, 5.0), Vec(kVein.x(), kVein.y(), kMiddle.z()) - kMiddle);
+  QVERIFY(vein.ml > 0.0 && says(vein));
+  // A bright lesion that a vein passes, and a dark one.
+  for (const double look : {155.0, 60.0}) {
+    const Grown lesion =
+        grown(with_vein(phantom([&](const Vec&, double) { return look; }), 0.0), Vec::Zero());
+    QVERIFY(lesion.dice > 0.8 && !says(lesion));
+  }
 }
 
 void LesionsTest::AFaintRimIsFoundOrSaid() {

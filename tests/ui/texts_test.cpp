@@ -65,6 +65,10 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
       QString("Lesion 2 comes within 4 mm of the liver's surface, where the CT does not show its border: "
               "whether liver covers it is not known. Check it in the slices."));
   QCOMPARE(
+      ui::note_text("lesion_6.perhaps_vein 47"),
+      QString("Lesion 6 is brighter than the liver, and a vein goes on at 47 % of its surface: it may be a "
+              "piece of that vein. Check it in the slices."));
+  QCOMPARE(
       ui::note_text("look.surface lesion_2 left_underside 6.2 3.1"),
       QString("Lesion 2: one more look helps most at the left lobe's underside. Expected error then 3.1 mm "
               "instead of 6.2 mm."));

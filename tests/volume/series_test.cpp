@@ -270,6 +270,11 @@ void SeriesTest::PhasesAreRead_data() {
   row("temps artériel", arterial);
   row("Spätphase 5 min", delayed);
   row("Delayed venous", delayed);
+  row("portal venous delay 70 s", portal_venous);
+  row("Abdomen delay: 35s arterial", arterial);
+  row("delay 70 s", unsaid);
+  row("venous delay 180 s", delayed);
+  row("delay 5 min", delayed);
   row("nativ 3.0", native);
   row("Nativphase 2.0", native);
   row("alternative recon 2.0", unsaid);

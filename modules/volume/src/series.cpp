@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <tuple>
@@ -44,6 +45,22 @@ bool has_word(const std::string& text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
     if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + word.size())) return true;
   return false;
+}
+
+/// "Delay 70 s" tells how long after the injection an early phase was scanned; a delayed one is so late that
+/// its delay is in minutes, or more than 100 s.
+bool tells_a_scan_delay(const std::string& text) {
+  static constexpr std::string_view kDelay = "delay";
+  const std::size_t word = text.find(kDelay);
+  if (word == std::string::npos) return false;
+  const std::size_t from = text.find_first_not_of(" :=", word + kDelay.size());
+  if (from == std::string::npos) return false;
+  int seconds = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + from, end, seconds);
+  return error == std::errc() && seconds <= 100 &&
+         std::string_view(rest, static_cast<std::size_t>(end - rest)).substr(0, 5).find("min") ==
+             std::string_view::npos;
 }
 
 bool is_reformatted(const DicomSeries& series) {
@@ -119,7 +136,7 @@ SeriesPhase phase_of(const DicomSeries& series) {
   // "native" stands in "alternative", too; "nativphase" is one word.
   static constexpr std::array<std::string_view, 4> kNative = {"nativphase", "unenhanced", "non-contrast",
                                                               "sans injection"};
-  if (has_any(text, kDelayed)) return SeriesPhase::delayed;
+  if (has_any(text, kDelayed) && !tells_a_scan_delay(text)) return SeriesPhase::delayed;
   if (has_any(text, kPortal) || has_any(text, kVenous) || any("pv", "pvp", "ven"))
     return SeriesPhase::portal_venous;
   if (has_any(text, kArterial) || any("art", "hap")) return SeriesPhase::arterial;
