@@ -11294,6 +11294,10 @@
         <source>Refused</source>
         <translation>Abgelehnt</translation>
     </message>
+    <message>
+        <source>To be reviewed</source>
+        <translation>Zu prüfen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::PatientIdentity</name>
@@ -12375,6 +12379,10 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>not done</source>
         <translation>offen</translation>
+    </message>
+    <message>
+        <source>? to be reviewed</source>
+        <translation>? zu prüfen</translation>
     </message>
     <message>
         <source>✓ up to date</source>

@@ -11294,6 +11294,10 @@
         <source>Refused</source>
         <translation>Refusé</translation>
     </message>
+    <message>
+        <source>To be reviewed</source>
+        <translation>À vérifier</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::PatientIdentity</name>
@@ -12375,6 +12379,10 @@ Mode %3 à %4 écarts types
     <message>
         <source>not done</source>
         <translation>à faire</translation>
+    </message>
+    <message>
+        <source>? to be reviewed</source>
+        <translation>? à vérifier</translation>
     </message>
     <message>
         <source>✓ up to date</source>

@@ -13,6 +13,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/review.h"
 #include "glisson/ui/common/task_button.h"
 #include "segmentation_window.h"
 
@@ -33,6 +34,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void KeysChooseToolsAndEscLetsGo();
   void UndoWorksWhileANumberHasTheKeyboard();
   void ApprovalIsTakenBackByAnEdit();
+  void TheStepIsToBeReviewedUntilEachLabelIsApproved();
   void ToolsKeepTheirPlaceWhateverTheFiguresSay();
   void EditPanelFitsItsColumnInEveryLanguage_data();
   void EditPanelFitsItsColumnInEveryLanguage();
@@ -132,6 +134,18 @@ void SegmentationPanelTest::UndoWorksWhileANumberHasTheKeyboard() {
   QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(settle());
   QVERIFY(labels() == before);
+}
+
+void SegmentationPanelTest::TheStepIsToBeReviewedUntilEachLabelIsApproved() {
+  open_labels();
+  for (const auto& [review, open] : engine::unapproved_labels(window_->engine().state()))
+    for (const Label label : open) {
+      QCOMPARE(panel().step_state(), ui::StepState::to_review);
+      choose(label);
+      press("approve_label");
+      QVERIFY(settle());
+    }
+  QCOMPARE(panel().step_state(), ui::StepState::done);
 }
 
 void SegmentationPanelTest::ApprovalIsTakenBackByAnEdit() {

@@ -11,6 +11,7 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/ui/atlas/atlas_box.h"
 #include "glisson/ui/atlas/atlas_choice.h"
 #include "glisson/ui/atlas/proposal_review.h"
@@ -100,7 +101,8 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
     review_->put_tool_away();
     modes_->leave();
   });
-  watch(part::landmarks);
+  watch(part::landmarks,
+        [](const engine::CaseState& state) { return engine::landmark_review(state).is_open; });
   show_case();
 }
 

@@ -97,8 +97,9 @@ QVBoxLayout* Panel::add_section(const QString& heading, const QString& explanati
   return box;
 }
 
-void Panel::watch(engine::Part part) {
+void Panel::watch(engine::Part part, std::function<bool(const engine::CaseState&)> is_open) {
   part_ = part;
+  is_open_ = std::move(is_open);
   update_step_state();
 }
 
@@ -112,11 +113,14 @@ void Panel::update_step_state() {
                         : stage == engine::StageState::absent         ? StepState::waiting
                         : stage == engine::StageState::stale          ? StepState::stale
                         : engine::is_refused(engine_.state(), *part_) ? StepState::refused
+                        : is_open_ && is_open_(engine_.state())       ? StepState::to_review
                                                                       : StepState::done;
-  static constexpr std::array<const char*, 5> kNames = {"waiting", "done", "stale", "refused", "running"};
-  chip_->setText(now == StepState::running   ? tr("Running")
-                 : now == StepState::refused ? tr("Refused")
-                                             : stage_state_text(stage));
+  static constexpr std::array<const char*, 6> kNames = {"waiting", "to-review", "done",
+                                                        "stale",   "refused",   "running"};
+  chip_->setText(now == StepState::running     ? tr("Running")
+                 : now == StepState::refused   ? tr("Refused")
+                 : now == StepState::to_review ? tr("To be reviewed")
+                                               : stage_state_text(stage));
   set_style_property(chip_, "state", QString::fromLatin1(kNames[static_cast<std::size_t>(now)]));
   if (now == step_state_) return;
   step_state_ = now;

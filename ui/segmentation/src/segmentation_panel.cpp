@@ -15,6 +15,7 @@
 
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/review.h"
+#include "glisson/engine/review.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/bridge_list.h"
 #include "glisson/ui/segmentation/edit_box.h"
@@ -57,7 +58,8 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   connect(&this->engine(), &EngineBridge::case_changed, this, &SegmentationPanel::show_case);
   // Undo is the labels', even while a number has the keyboard.
   for (QAbstractSpinBox* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
-  watch(part::labels);
+  watch(part::labels,
+        [](const engine::CaseState& state) { return !engine::unapproved_labels(state).empty(); });
   show_case();
 }
 

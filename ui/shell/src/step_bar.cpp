@@ -64,6 +64,10 @@ void StepBar::set_state(int step, StepState state) {
       label->setText(tr("not done"));
       set_style_property(label, "state", "waiting");
       break;
+    case StepState::to_review:
+      label->setText(tr("? to be reviewed"));
+      set_style_property(label, "state", "to-review");
+      break;
     case StepState::done:
       label->setText(tr("✓ up to date"));
       set_style_property(label, "state", "done");

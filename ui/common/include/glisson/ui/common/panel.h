@@ -3,6 +3,7 @@
 
 #include <QIcon>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "glisson/ui/common/engine_bridge.h"
@@ -14,7 +15,7 @@ class QVBoxLayout;
 namespace glisson::ui {
 
 /// How a step of the work stands, for the step bar and the panel's head.
-enum class StepState { waiting, done, stale, refused, running };
+enum class StepState { waiting, to_review, done, stale, refused, running };
 
 /// One module of the window: controls on the right, and optionally a view of its own in the middle (otherwise
 /// the linked slices stay).
@@ -40,8 +41,8 @@ class Panel : public QWidget {
   /// A heading with a line of explanation (may be empty) above what follows.
   QVBoxLayout* add_section(const QString& heading, const QString& explanation = {});
   /// The part that this step makes: its state is the step's, which is `running` while a command that writes
-  /// the part waits or runs.
-  void watch(engine::Part part);
+  /// the part waits or runs. @param is_open whether a person has yet to look at what is current.
+  void watch(engine::Part part, std::function<bool(const engine::CaseState&)> is_open = {});
   EngineBridge& engine() const { return engine_; }
 
  private:
@@ -52,6 +53,7 @@ class Panel : public QWidget {
   QVBoxLayout* content_;
   QLabel* chip_;
   std::optional<engine::Part> part_;
+  std::function<bool(const engine::CaseState&)> is_open_;
   StepState step_state_ = StepState::waiting;
 };
 
