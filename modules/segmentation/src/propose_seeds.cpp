@@ -133,9 +133,9 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
       scene.middle(largest_component(where(ct, [&](std::size_t i) { return ct.values[i] > kAir; }))).x();
   const auto core = find_liver_core(scene, context);
   if (!core) return std::nullopt;
-  if (core->right_ml < kLeastCoreMl)
-    throw InputError("image", "", "shows nothing as large, compact and even as a liver",
-                     "Click the liver yourself");
+  const InputError nothing("image", "", "shows nothing as large, compact and even as a liver",
+                           "Click the liver yourself");
+  if (core->right_ml < kLeastCoreMl) throw nothing;
   const Tissue liver = tissue_in(ct, core->mask);
   const Mask alike = like(ct, liver.mean, kUnlike * liver.sigma);
   const std::vector<float> depth2 = squared_depth_mm2(alike);
@@ -152,7 +152,9 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
     return sides->own.voxels[i] != 0 && depth2[i] > kCore * kCore && scene.is_right(i) &&
            std::abs(ct.values[i] - liver.mean) < liver.sigma;
   });
-  return PointsIn<CtFrame>(spread(scene, places, depth2, kSeeds));
+  PointsIn<CtFrame> seeds(spread(scene, places, depth2, kSeeds));
+  if (seeds.rows() == 0) throw nothing;
+  return seeds;
 }
 
 }  // namespace glisson::segmentation
