@@ -12099,8 +12099,8 @@
         <translation>Freigeben</translation>
     </message>
     <message>
-        <source>You have looked at the chosen label and it is right. An edit takes that back.</source>
-        <translation>Sie haben das gewählte Label angesehen, und es stimmt. Eine Bearbeitung nimmt das zurück.</translation>
+        <source>You have looked at the chosen label and it is right: the next one comes. An edit takes that back.</source>
+        <translation>Sie haben das gewählte Label angesehen, und es stimmt: das nächste kommt. Eine Bearbeitung nimmt das zurück.</translation>
     </message>
     <message>
         <source>Import…</source>

@@ -12099,8 +12099,8 @@
         <translation>Approuver</translation>
     </message>
     <message>
-        <source>You have looked at the chosen label and it is right. An edit takes that back.</source>
-        <translation>Vous avez regardé l&apos;étiquette choisie et elle est juste. Une modification retire cela.</translation>
+        <source>You have looked at the chosen label and it is right: the next one comes. An edit takes that back.</source>
+        <translation>Vous avez regardé l&apos;étiquette choisie et elle est juste : la suivante vient. Une modification retire cela.</translation>
     </message>
     <message>
         <source>Import…</source>

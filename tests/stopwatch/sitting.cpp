@@ -134,6 +134,9 @@ class Person {
         hand_.click(*table->viewport(), cell.center());
       }
       hand_.read_what_is_new();
+      const auto* approve = window_.findChild<QPushButton*>(QStringLiteral("approve_label"));
+      (void)QTest::qWaitFor(
+          [&] { return approve->isEnabled(); });  // shorter than the look that is told above
       hand_.press("approve_label");
       hand_.settle();
       const auto& review = window_.engine().state()[part::review];

@@ -34,7 +34,8 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void KeysChooseToolsAndEscLetsGo();
   void UndoWorksWhileANumberHasTheKeyboard();
   void ApprovalIsTakenBackByAnEdit();
-  void TheStepIsToBeReviewedUntilEachLabelIsApproved();
+  void ApprovingGoesOnToTheNextLabelUntilTheStepIsDone();
+  void AToolInHandKeepsItsLabelThroughAnApproval();
   void ToolsKeepTheirPlaceWhateverTheFiguresSay();
   void EditPanelFitsItsColumnInEveryLanguage_data();
   void EditPanelFitsItsColumnInEveryLanguage();
@@ -136,26 +137,46 @@ void SegmentationPanelTest::UndoWorksWhileANumberHasTheKeyboard() {
   QVERIFY(labels() == before);
 }
 
-void SegmentationPanelTest::TheStepIsToBeReviewedUntilEachLabelIsApproved() {
+void SegmentationPanelTest::ApprovingGoesOnToTheNextLabelUntilTheStepIsDone() {
   open_labels();
-  for (const auto& [review, open] : engine::unapproved_labels(window_->engine().state()))
-    for (const Label label : open) {
-      QCOMPARE(panel().step_state(), ui::StepState::to_review);
-      choose(label);
-      press("approve_label");
-      QVERIFY(settle());
-    }
+  auto* approve = find<QPushButton>("approve_label");
+  std::set<Label> open;
+  for (const auto& [review, labels] : engine::unapproved_labels(window_->engine().state()))
+    open.insert(labels.begin(), labels.end());
+  QVERIFY(open.size() > 2);
+  choose(*std::next(open.begin()));
+  while (!open.empty()) {
+    QCOMPARE(panel().step_state(), ui::StepState::to_review);
+    const Label now = session().settings().label;
+    QCOMPARE(open.erase(now), 1UL);
+    QTRY_VERIFY(approve->isEnabled());
+    press("approve_label");
+    // Not by the same hand at once, and shown.
+    if (!open.empty()) QVERIFY(!approve->isEnabled() && session().settings().label != now);
+    if (!open.empty()) QCOMPARE(at(window_->views().state().crosshair().xyz), session().settings().label);
+    QVERIFY(settle());
+    QCOMPARE(window_->engine().state()[part::review]->at(now), ReviewState::approved);
+  }
   QCOMPARE(panel().step_state(), ui::StepState::done);
+}
+
+void SegmentationPanelTest::AToolInHandKeepsItsLabelThroughAnApproval() {
+  open_labels();
+  choose(structure::kPortalVein);
+  press("tool_paint");
+  press("approve_label");
+  QVERIFY(settle());
+  QCOMPARE(session().settings().label, structure::kPortalVein);
 }
 
 void SegmentationPanelTest::ApprovalIsTakenBackByAnEdit() {
   open_labels();
   choose(structure::kPortalVein);
+  press("tool_paint");
   press("approve_label");
   QVERIFY(settle());
   QCOMPARE(window_->engine().state()[part::review]->at(structure::kPortalVein), ReviewState::approved);
   QVERIFY(!find<QPushButton>("approve_label")->isEnabled());
-  press("tool_paint");
   drag(slice(Plane::axial), {{-0.02, 0.02, 0}, {0.0, 0.02, 0}});
   QVERIFY(settle());
   QCOMPARE(window_->engine().state()[part::review]->at(structure::kPortalVein), ReviewState::to_review);

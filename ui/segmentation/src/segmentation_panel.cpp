@@ -11,11 +11,13 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QSlider>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/engine/review.h"
+#include "glisson/patient/label_place.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/bridge_list.h"
 #include "glisson/ui/segmentation/edit_box.h"
@@ -25,6 +27,11 @@
 #include "glisson/ui/segmentation/seed_box.h"
 
 namespace glisson::ui {
+namespace {
+
+constexpr int kEye = 600;  ///< milliseconds: a double click ends within 400, and an eye needs 200 to come
+
+}  // namespace
 
 SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWidget* parent)
     : Panel(engine, tr("Segmentation"),
@@ -132,7 +139,8 @@ void SegmentationPanel::build_labels() {
   approve_ = new QPushButton(tr("Approve"), this);
   approve_->setObjectName(QStringLiteral("approve_label"));
   approve_->setProperty("role", "small");
-  approve_->setToolTip(tr("You have looked at the chosen label and it is right. An edit takes that back."));
+  approve_->setToolTip(tr(
+      "You have looked at the chosen label and it is right: the next one comes. An edit takes that back."));
   import_ = new QPushButton(tr("Import…"), this);
   import_->setObjectName(QStringLiteral("import_labels"));
   import_->setProperty("role", "small");
@@ -192,7 +200,32 @@ void SegmentationPanel::show_import() {
             : tr("Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI"));
 }
 
-void SegmentationPanel::approve() { session_->set_review(session_->settings().label, ReviewState::approved); }
+void SegmentationPanel::approve() {
+  const Label approved = session_->settings().label;
+  session_->set_review(approved, ReviewState::approved);
+  if (session_->tool() == nullptr) look_at_next(approved);
+}
+
+void SegmentationPanel::look_at_next(Label approved) {
+  std::set<Label> open;
+  for (const auto& [review, labels] : engine::unapproved_labels(engine().state()))
+    open.insert(labels.begin(), labels.end());
+  open.erase(approved);
+  if (open.empty()) return;
+  const auto after = open.upper_bound(approved);
+  const Label next = after != open.end() ? *after : *open.begin();
+  if (const auto place = place_of(engine().state()[part::labels]->voxels, next)) views_.set_crosshair(*place);
+  // A second click of the same hand is not for what nobody has seen yet.
+  waits_for_eye_ = true;
+  QTimer::singleShot(kEye, this, [this] {
+    waits_for_eye_ = false;
+    show_label();
+  });
+  EditSettings settings = session_->settings();
+  settings.label = next;
+  session_->set_settings(settings);
+  show_label();
+}
 
 void SegmentationPanel::activate() {
   views_.set_shows_labels(true);
@@ -254,7 +287,7 @@ void SegmentationPanel::show_label() {
       statistics && statistics->figures().count(label) > 0 && statistics->figures().at(label).voxels > 0;
   const auto& review = engine().state()[part::review];
   const bool approved = review && review->count(label) > 0 && review->at(label) == ReviewState::approved;
-  approve_->setEnabled(counted && !approved);
+  approve_->setEnabled(counted && !approved && !waits_for_eye_);
   approve_->setText(approved ? tr("Approved") : tr("Approve"));
   if (!counted) {
     figures_->setText(tr("%1: nothing yet").arg(structure_text(label)));

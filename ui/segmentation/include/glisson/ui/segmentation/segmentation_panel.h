@@ -50,6 +50,8 @@ class SegmentationPanel : public Panel {
   void toggle(std::set<Label>& labels, Label label);
   void take_marks();
   void approve();
+  /// Chooses the next label that nobody has approved, and shows it in the slices.
+  void look_at_next(Label approved);
   void ask_for_labels();
   void show_import();
 
@@ -63,6 +65,7 @@ class SegmentationPanel : public Panel {
   LabelTable* table_ = nullptr;
   QLabel* figures_ = nullptr;
   QPushButton* approve_ = nullptr;
+  bool waits_for_eye_ = false;  ///< another label has just come to be approved
   QPushButton* import_ = nullptr;
   LabelImport* importer_ = nullptr;
   std::set<Label> hidden_, locked_;
