@@ -12091,8 +12091,8 @@
         <translation>Saat und Wachstum</translation>
     </message>
     <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
+        <source>Review and edit</source>
+        <translation>Prüfen, ändern</translation>
     </message>
     <message>
         <source>Approve</source>

@@ -12091,8 +12091,8 @@
         <translation>Graines et croissance</translation>
     </message>
     <message>
-        <source>Edit</source>
-        <translation>Modifier</translation>
+        <source>Review and edit</source>
+        <translation>Revoir, modifier</translation>
     </message>
     <message>
         <source>Approve</source>

@@ -86,7 +86,7 @@ void SegmentationPanel::build_modes() {
   row->setSpacing(0);
   seeds_mode_ = new QPushButton(tr("Seeds and growth"), this);
   seeds_mode_->setObjectName(QStringLiteral("mode_seeds"));
-  edit_mode_ = new QPushButton(tr("Edit"), this);
+  edit_mode_ = new QPushButton(tr("Review and edit"), this);
   edit_mode_->setObjectName(QStringLiteral("mode_edit"));
   for (QPushButton* button : {seeds_mode_, edit_mode_}) {
     button->setCheckable(true);
