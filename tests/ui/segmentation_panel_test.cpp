@@ -35,6 +35,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void UndoWorksWhileANumberHasTheKeyboard();
   void ApprovalIsTakenBackByAnEdit();
   void ApprovingGoesOnToTheNextLabelUntilTheStepIsDone();
+  void TheKeyboardStaysAtApproveFromLabelToLabel();
   void AToolInHandKeepsItsLabelThroughAnApproval();
   void ToolsKeepTheirPlaceWhateverTheFiguresSay();
   void EditPanelFitsItsColumnInEveryLanguage_data();
@@ -158,6 +159,22 @@ void SegmentationPanelTest::ApprovingGoesOnToTheNextLabelUntilTheStepIsDone() {
     QCOMPARE(window_->engine().state()[part::review]->at(now), ReviewState::approved);
   }
   QCOMPARE(panel().step_state(), ui::StepState::done);
+}
+
+void SegmentationPanelTest::TheKeyboardStaysAtApproveFromLabelToLabel() {
+  open_labels();
+  auto* approve = find<QPushButton>("approve_label");
+  approve->setFocus();
+  const Label first = session().settings().label;
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  const Label second = session().settings().label;
+  QVERIFY(second != first);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);  // the same hand at once: nothing
+  QCOMPARE(session().settings().label, second);
+  QTRY_VERIFY(approve->hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state()[part::review]->at(second), ReviewState::approved);
 }
 
 void SegmentationPanelTest::AToolInHandKeepsItsLabelThroughAnApproval() {

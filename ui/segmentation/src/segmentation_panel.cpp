@@ -217,9 +217,12 @@ void SegmentationPanel::look_at_next(Label approved) {
   if (const auto place = place_of(engine().state()[part::labels]->voxels, next)) views_.set_crosshair(*place);
   // A second click of the same hand is not for what nobody has seen yet.
   waits_for_eye_ = true;
-  QTimer::singleShot(kEye, this, [this] {
+  const bool by_key = approve_->hasFocus();
+  if (by_key) table_->setFocus();  // a button that is switched off passes the keyboard on, to "Import"
+  QTimer::singleShot(kEye, this, [this, by_key] {
     waits_for_eye_ = false;
     show_label();
+    if (by_key && table_->hasFocus()) approve_->setFocus();
   });
   EditSettings settings = session_->settings();
   settings.label = next;
