@@ -61,6 +61,7 @@ class OperationTest : public QObject {
   void CtIsDropped();
   void SeedsAreClicked();
   void SegmentationGrows();
+  void LabelsAreApproved();
   void ModelIsBuilt();
   void LandmarksAreClicked();
   void ScopeIsDroppedAndRegionsAreClicked();
@@ -188,6 +189,18 @@ void OperationTest::SegmentationGrows() {
   const std::vector<long> voxels = state()[part::labels]->voxels.histogram();
   const double liver_ml = 1e-3 * 18.75 * static_cast<double>(voxels[structure::kParenchyma]);
   QVERIFY2(liver_ml > 1000.0 && liver_ml < 2000.0, qPrintable(QString::number(liver_ml)));
+}
+
+void OperationTest::LabelsAreApproved() {
+  auto* approve = window_->findChild<QPushButton*>(QStringLiteral("approve_label"));
+  const ui::Panel& panel = window_->panel(MainWindow::segmentation);
+  QCOMPARE(panel.step_state(), ui::StepState::to_review);
+  for (int label = 0; label < 20 && panel.step_state() == ui::StepState::to_review; ++label) {
+    QTRY_VERIFY(approve->isEnabled());
+    QTest::mouseClick(approve, Qt::LeftButton);
+    QVERIFY(settle());
+  }
+  QCOMPARE(panel.step_state(), ui::StepState::done);
 }
 
 void OperationTest::ModelIsBuilt() {
