@@ -6489,6 +6489,10 @@
         <translation>Jemand hat diesen Ort unter mehreren gewählt; die Punkte allein gaben ihm %1 %.</translation>
     </message>
     <message>
+        <source>%1 is brighter than the liver: a vein, or a lesion that takes up contrast. Check it in the slices.</source>
+        <translation>%1 ist heller als die Leber: eine Vene oder eine Läsion, die Kontrastmittel aufnimmt. In den Schichten prüfen.</translation>
+    </message>
+    <message>
         <source>%1 is brighter than the liver, and a vein goes on at %2 % of its surface: it may be a piece of that vein. Check it in the slices.</source>
         <translation>%1 ist heller als die Leber, und an %2 % der Oberfläche geht eine Vene weiter: Es kann ein Stück dieser Vene sein. In den Schichten prüfen.</translation>
     </message>

@@ -6489,6 +6489,10 @@
         <translation>Une personne a choisi cette position parmi plusieurs ; les points seuls lui donnaient %1 %.</translation>
     </message>
     <message>
+        <source>%1 is brighter than the liver: a vein, or a lesion that takes up contrast. Check it in the slices.</source>
+        <translation>%1 est plus clair que le foie : une veine, ou une lésion qui prend le contraste. À vérifier dans les coupes.</translation>
+    </message>
+    <message>
         <source>%1 is brighter than the liver, and a vein goes on at %2 % of its surface: it may be a piece of that vein. Check it in the slices.</source>
         <translation>%1 est plus clair que le foie, et une veine continue à %2 % de sa surface : ce peut être un morceau de cette veine. À vérifier dans les coupes.</translation>
     </message>

@@ -17,7 +17,7 @@ class LabelPlaceTest : public QObject {
     for (int k = 30; k < 37; ++k)
       for (int j = 28; j < 37; ++j)
         for (int i = 25; i < 66; ++i) labels.set({i, j, k}, 3);
-    // A ring around a middle that it does not hold: one of its four ends nearest to it is the answer.
+    // A ring around a middle that it does not hold: one of the two places nearest to it is the answer.
     for (int i = 5; i <= 15; ++i)
       for (int j = 5; j <= 15; ++j)
         if (std::abs(i - 10) == 5 || std::abs(j - 10) == 5) labels.set({i, j, 2}, 4);

@@ -143,6 +143,8 @@ class LesionsTest : public QObject {
   void ALayerThatIsNotSeenIsTold();
   void WhatIsNoLesionIsNotFound();
   void APieceOfAVeinIsTold();
+  void ABrightLesionIsToldWhereNoVeinIsKnown();
+  void ADarkLesionAroundAVeinIsNoPieceOfIt();
   void AFaintRimIsFoundOrSaid();
   void ADiameterFindsWhatCannotBeSeen();
   void ADiameterBoundsIt();
@@ -264,6 +266,30 @@ void LesionsTest::APieceOfAVeinIsTold() {
         grown(with_vein(phantom([&](const Vec&, double) { return look; }), 0.0), Vec::Zero());
     QVERIFY(lesion.dice > 0.8 && !says(lesion));
   }
+}
+
+void LesionsTest::ABrightLesionIsToldWhereNoVeinIsKnown() {
+  const Vec at_vein = Vec(kVein.x(), kVein.y(), kMiddle.z()) - kMiddle;
+  QVERIFY(grown(phantom([](const Vec&, double) { return kLiver; }), at_vein).says("lesion_1.bright"));
+  QVERIFY(grown(phantom([](const Vec&, double) { return 155.0; }), Vec::Zero()).says("lesion_1.bright"));
+  QVERIFY(!grown(phantom(dark), Vec::Zero()).says("lesion_1.bright"));
+}
+
+void LesionsTest::ADarkLesionAroundAVeinIsNoPieceOfIt() {
+  // A thick vein through its middle, half as wide as the lesion.
+  Phantom made = phantom(dark);
+  const VolumeGrid& grid = made.image.grid;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Vec off = Vec(i, j, k).cwiseProduct(grid.spacing_mm) - kMiddle;
+        if (off.head<2>().norm() < 0.5 * kRadius && made.kept.voxels.at({i, j, k}) != 0)
+          made.kept.voxels.set({i, j, k}, structure::kHepaticVeins);
+      }
+  made.kept.infos.push_back(structure_info(structure::kHepaticVeins));
+  const Grown lesion = grown(made, Vec(10, 0, 0));
+  QVERIFY(lesion.ml > 2.0);
+  for (const std::string& note : lesion.notes) QVERIFY2(note.find("vein") == std::string::npos, note.c_str());
 }
 
 void LesionsTest::AFaintRimIsFoundOrSaid() {

@@ -135,8 +135,8 @@ class Person {
       }
       hand_.read_what_is_new();
       const auto* approve = window_.findChild<QPushButton*>(QStringLiteral("approve_label"));
-      (void)QTest::qWaitFor(
-          [&] { return approve->isEnabled(); });  // shorter than the look that is told above
+      // The button waits for the eye; to read is longer than that.
+      (void)QTest::qWaitFor([&] { return approve->isEnabled(); });
       hand_.press("approve_label");
       hand_.settle();
       const auto& review = window_.engine().state()[part::review];

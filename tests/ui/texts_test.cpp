@@ -65,6 +65,10 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
       QString("Lesion 2 comes within 4 mm of the liver's surface, where the CT does not show its border: "
               "whether liver covers it is not known. Check it in the slices."));
   QCOMPARE(
+      ui::note_text("lesion_6.bright"),
+      QString("Lesion 6 is brighter than the liver: a vein, or a lesion that takes up contrast. Check it in "
+              "the slices."));
+  QCOMPARE(
       ui::note_text("lesion_6.perhaps_vein 47"),
       QString("Lesion 6 is brighter than the liver, and a vein goes on at 47 % of its surface: it may be a "
               "piece of that vein. Check it in the slices."));

@@ -275,6 +275,9 @@ void SeriesTest::PhasesAreRead_data() {
   row("delay 70 s", unsaid);
   row("venous delay 180 s", delayed);
   row("delay 5 min", delayed);
+  row("Abd venous delay 3.0 B30f", delayed);
+  row("delay 3 slices", delayed);
+  row("portal delay 65sec", portal_venous);
   row("nativ 3.0", native);
   row("Nativphase 2.0", native);
   row("alternative recon 2.0", unsaid);

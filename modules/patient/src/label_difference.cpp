@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "brick_voxels.h"
 #include "glisson/core/error.h"
 
 namespace glisson {
@@ -15,12 +16,6 @@ constexpr std::size_t kBrickVoxels = static_cast<std::size_t>(kSide) * kSide * k
 
 Label label_in(const std::shared_ptr<const LabelVolume::Brick>& brick, std::size_t i) {
   return brick ? (*brick)[i] : Label{0};
-}
-
-Eigen::Vector3i voxel_of(const LabelVolume& labels, std::size_t brick, std::size_t i) {
-  const int n = static_cast<int>(i);
-  return kSide * labels.brick_place(brick) +
-         Eigen::Vector3i(n % kSide, n / kSide % kSide, n / (kSide * kSide));
 }
 
 void require_one_grid(const LabelVolume& mine, const LabelVolume& offered, const LabelVolume& hand) {

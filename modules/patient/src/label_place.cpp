@@ -3,21 +3,18 @@
 
 #include <limits>
 
+#include "brick_voxels.h"
+
 namespace glisson {
 namespace {
 
 template <class Visit>
 void each_voxel(const LabelVolume& labels, Label label, const Visit& visit) {
-  constexpr int kSide = LabelVolume::kSide;
   for (std::size_t number = 0; number < labels.brick_count(); ++number) {
     const auto& brick = labels.brick(number);
     if (!brick) continue;
-    const Eigen::Vector3i first = kSide * labels.brick_place(number);
     for (std::size_t at = 0; at < brick->size(); ++at)
-      if ((*brick)[at] == label) {
-        const auto n = static_cast<int>(at);
-        visit(first + Eigen::Vector3i(n % kSide, n / kSide % kSide, n / (kSide * kSide)));
-      }
+      if ((*brick)[at] == label) visit(voxel_of(labels, number, at));
   }
 }
 

@@ -122,6 +122,10 @@ Cancellable<Core> find_liver_core(const Scene& scene, const RunContext& context)
   return best;
 }
 
+InputError no_liver() {
+  return {"image", "", "shows nothing as large, compact and even as a liver", "Click the liver yourself"};
+}
+
 }  // namespace
 
 Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const RunContext& context) {
@@ -133,9 +137,7 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
       scene.middle(largest_component(where(ct, [&](std::size_t i) { return ct.values[i] > kAir; }))).x();
   const auto core = find_liver_core(scene, context);
   if (!core) return std::nullopt;
-  const InputError nothing("image", "", "shows nothing as large, compact and even as a liver",
-                           "Click the liver yourself");
-  if (core->right_ml < kLeastCoreMl) throw nothing;
+  if (core->right_ml < kLeastCoreMl) throw no_liver();
   const Tissue liver = tissue_in(ct, core->mask);
   const Mask alike = like(ct, liver.mean, kUnlike * liver.sigma);
   const std::vector<float> depth2 = squared_depth_mm2(alike);
@@ -153,7 +155,7 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
            std::abs(ct.values[i] - liver.mean) < liver.sigma;
   });
   PointsIn<CtFrame> seeds(spread(scene, places, depth2, kSeeds));
-  if (seeds.rows() == 0) throw nothing;
+  if (seeds.rows() == 0) throw no_liver();
   return seeds;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "bodies.h"
+#include "bright_lesions.h"
 #include "glisson/core/error.h"
-#include "glisson/core/statistics.h"
 #include "glisson/patient/cut_organ.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/plausibility.h"
@@ -306,55 +306,6 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& f
   }
 }
 
-/// What a lesion is among veins.
-struct AmongVeins {
-  double surface_mm2 = 0.0;
-  double on_veins_mm2 = 0.0;  ///< the surface behind which a vein of the two trees goes on
-  std::vector<float> hu;      ///< of its voxels
-};
-
-std::vector<AmongVeins> among_veins(const Image& image, const Painting& painting, std::size_t lesions) {
-  std::vector<AmongVeins> result(lesions);
-  const VolumeGrid& grid = painting.grid;
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i, ++at) {
-        const Label own = painting.labels[at];
-        const auto n = static_cast<std::size_t>(own - structure::kFirstLesion);
-        if (!is_lesion(own) || n >= lesions) continue;
-        AmongVeins& lesion = result[n];
-        lesion.hu.push_back((*image.voxels)[at]);
-        for (int face = 0; face < 6; ++face) {
-          Eigen::Vector3i beside(i, j, k);
-          beside[face / 2] += face % 2 == 0 ? 1 : -1;
-          if (!grid.contains(beside)) continue;
-          const Label other = painting.labels[static_cast<std::size_t>(grid.offset(beside))];
-          const double area = grid.voxel_volume_mm3() / grid.spacing_mm[face / 2];
-          if (other != own) lesion.surface_mm2 += area;
-          if (other == structure::kPortalVein || other == structure::kHepaticVeins)
-            lesion.on_veins_mm2 += area;
-        }
-      }
-  return result;
-}
-
-/// Lesions that are brighter than the liver and may be pieces of a vein: it goes on at both of a piece's
-/// ends, and passes a lesion.
-void note_veins(const Image& image, const Painting& painting, const Bodies& bodies,
-                SegmentationReport& report) {
-  constexpr double kEnds = 0.2;  // of the surface: a cylinder's two ends, twice as long as it is wide
-  std::vector<AmongVeins> all = among_veins(image, painting, bodies.lesions.size());
-  for (std::size_t n = 0; n < all.size(); ++n) {
-    AmongVeins& lesion = all[n];
-    if (lesion.on_veins_mm2 < kEnds * lesion.surface_mm2 || lesion.hu.empty() ||
-        upper_median(std::move(lesion.hu)) <= bodies.parenchyma.mean)
-      continue;
-    report.notes.push_back("lesion_" + std::to_string(n + 1) + ".perhaps_vein " +
-                           std::to_string(std::lround(100.0 * lesion.on_veins_mm2 / lesion.surface_mm2)));
-  }
-}
-
 bool is_in_liver(Label label) {
   return label == structure::kParenchyma || label == structure::kPortalVein ||
          label == structure::kHepaticVeins || label == structure::kArtery || is_lesion(label);
@@ -445,7 +396,8 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
   note_doubts(seeds, anew, found, *bodies, vessels->trees, result.report);
-  note_veins(image, painting, *bodies, result.report);
+  for (std::string& note : bright_lesion_notes(image, painting, bodies->lesions.size(), bodies->parenchyma))
+    result.report.notes.push_back(std::move(note));
   if (!options.region) note_sizes(result.labels.voxels, found, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");

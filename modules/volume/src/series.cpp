@@ -47,20 +47,21 @@ bool has_word(const std::string& text, std::string_view word) {
   return false;
 }
 
-/// "Delay 70 s" tells how long after the injection an early phase was scanned; a delayed one is so late that
-/// its delay is in minutes, or more than 100 s.
+/// "Delay 70 s" tells how long after the injection an early phase was scanned. A delayed phase's delay is in
+/// minutes, or more than 100 s, and a number without a unit may be anything ("delay 3.0 B30f": the slices').
 bool tells_a_scan_delay(const std::string& text) {
-  static constexpr std::string_view kDelay = "delay";
+  static constexpr std::string_view kDelay = "delay", kBetween = " :=";
   const std::size_t word = text.find(kDelay);
   if (word == std::string::npos) return false;
-  const std::size_t from = text.find_first_not_of(" :=", word + kDelay.size());
+  const std::size_t from = text.find_first_not_of(kBetween, word + kDelay.size());
   if (from == std::string::npos) return false;
   int seconds = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + from, end, seconds);
-  return error == std::errc() && seconds <= 100 &&
-         std::string_view(rest, static_cast<std::size_t>(end - rest)).substr(0, 5).find("min") ==
-             std::string_view::npos;
+  const auto number = std::from_chars(text.data() + from, text.data() + text.size(), seconds);
+  if (number.ec != std::errc() || seconds > 100) return false;
+  const std::size_t unit = text.find_first_not_of(' ', static_cast<std::size_t>(number.ptr - text.data()));
+  if (unit == std::string::npos || text[unit] != 's') return false;
+  return has_word(text.substr(unit), "s") || text.compare(unit, 3, "sec") == 0 ||
+         text.compare(unit, 3, "sek") == 0;
 }
 
 bool is_reformatted(const DicomSeries& series) {

@@ -323,6 +323,9 @@ class Notes {
         {".under_surface",
          tr("%1 comes within %2 mm of the liver's surface, where the CT does not show its border: whether "
             "liver covers it is not known. Check it in the slices.")},
+        {".bright",
+         tr("%1 is brighter than the liver: a vein, or a lesion that takes up contrast. Check it in "
+            "the slices.")},
         {".perhaps_vein",
          tr("%1 is brighter than the liver, and a vein goes on at %2 % of its surface: it may be a "
             "piece of that vein. Check it in the slices.")},

@@ -203,10 +203,13 @@ void SegmentationPanel::show_import() {
 void SegmentationPanel::approve() {
   const Label approved = session_->settings().label;
   session_->set_review(approved, ReviewState::approved);
-  if (session_->tool() == nullptr) look_at_next(approved);
+  // A button that is switched off passes the keyboard on, to "Import".
+  const bool had_keyboard = approve_->hasFocus();
+  if (had_keyboard) table_->setFocus();
+  if (session_->tool() == nullptr) look_at_next(approved, had_keyboard);
 }
 
-void SegmentationPanel::look_at_next(Label approved) {
+void SegmentationPanel::look_at_next(Label approved, bool had_keyboard) {
   std::set<Label> open;
   for (const auto& [review, labels] : engine::unapproved_labels(engine().state()))
     open.insert(labels.begin(), labels.end());
@@ -217,12 +220,10 @@ void SegmentationPanel::look_at_next(Label approved) {
   if (const auto place = place_of(engine().state()[part::labels]->voxels, next)) views_.set_crosshair(*place);
   // A second click of the same hand is not for what nobody has seen yet.
   waits_for_eye_ = true;
-  const bool by_key = approve_->hasFocus();
-  if (by_key) table_->setFocus();  // a button that is switched off passes the keyboard on, to "Import"
-  QTimer::singleShot(kEye, this, [this, by_key] {
+  QTimer::singleShot(kEye, this, [this, had_keyboard] {
     waits_for_eye_ = false;
     show_label();
-    if (by_key && table_->hasFocus()) approve_->setFocus();
+    if (had_keyboard && table_->hasFocus()) approve_->setFocus();
   });
   EditSettings settings = session_->settings();
   settings.label = next;

@@ -51,7 +51,8 @@ class SegmentationPanel : public Panel {
   void take_marks();
   void approve();
   /// Chooses the next label that nobody has approved, and shows it in the slices.
-  void look_at_next(Label approved);
+  /// @param had_keyboard Approve gets it back.
+  void look_at_next(Label approved, bool had_keyboard);
   void ask_for_labels();
   void show_import();
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/volume/label_volume.h"
+
+namespace glisson {
+
+/// The voxel at place `i` in the memory of a brick.
+inline Eigen::Vector3i voxel_of(const LabelVolume& labels, std::size_t brick, std::size_t i) {
+  constexpr int kSide = LabelVolume::kSide;
+  const int n = static_cast<int>(i);
+  return kSide * labels.brick_place(brick) +
+         Eigen::Vector3i(n % kSide, n / kSide % kSide, n / (kSide * kSide));
+}
+
+}  // namespace glisson
