@@ -512,6 +512,10 @@
         <translation>das Programm, das fremde Dateien liest, fehlt</translation>
     </message>
     <message>
+        <source>a library of Glisson is missing or cannot be loaded</source>
+        <translation>eine Bibliothek von Glisson fehlt oder kann nicht geladen werden</translation>
+    </message>
+    <message>
         <source>cannot run</source>
         <translation>läuft nicht</translation>
     </message>
@@ -3490,10 +3494,6 @@
     <message>
         <source>Check image_width and image_height: the calibration is of another image size</source>
         <translation>Prüfen Sie image_width und image_height: die Kalibrierung ist von einer anderen Bildgröße</translation>
-    </message>
-    <message>
-        <source>Use .png</source>
-        <translation>Nehmen Sie .png</translation>
     </message>
     <message>
         <source>Check the pattern</source>

@@ -512,6 +512,10 @@
         <translation>le programme qui lit les fichiers étrangers manque</translation>
     </message>
     <message>
+        <source>a library of Glisson is missing or cannot be loaded</source>
+        <translation>une bibliothèque de Glisson manque ou ne peut pas être chargée</translation>
+    </message>
+    <message>
         <source>cannot run</source>
         <translation>ne peut pas s’exécuter</translation>
     </message>
@@ -3490,10 +3494,6 @@
     <message>
         <source>Check image_width and image_height: the calibration is of another image size</source>
         <translation>Vérifiez image_width et image_height : le calibrage est d’une autre taille d’image</translation>
-    </message>
-    <message>
-        <source>Use .png</source>
-        <translation>Utilisez .png</translation>
     </message>
     <message>
         <source>Check the pattern</source>

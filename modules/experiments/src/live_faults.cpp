@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
 #include "cv_picture.h"
+#include "glisson/stereo/picture_reader.h"
+#include "glisson/stereo/png.h"
 
 namespace glisson::experiments {
 namespace {
@@ -277,10 +278,10 @@ void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, 
   add("noise", ramp(onset, onset + 1, [seed](cv::Mat& picture, bool is_right, double, int k) {
         add_noise(picture, 12.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
       }));
-  add("lossy", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int) {
-        std::vector<std::uint8_t> bytes;
-        cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 12});
-        picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
+  const auto reader = std::make_shared<stereo::PictureReader>();
+  add("lossy", ramp(onset, onset + 1, [reader](cv::Mat& picture, bool, double, int) {
+        const std::string bytes = stereo::jpeg_of(picture_of(picture), 12);
+        view_of(reader->decode(bytes, "lossy")).copyTo(picture);
       }));
   add("stutter", [=](const Film& film, int k) {
     const int shown = k < onset ? k : k - (k - onset) % 4;

@@ -11,13 +11,14 @@
 #include <cstdio>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/videoio.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "../codecs/opencv_codecs.h"
 #include "glisson/core/child_side.h"
 #include "glisson/core/confinement.h"
+#include "glisson/core/error.h"
 #include "questions.h"
 
 namespace {
@@ -61,29 +62,33 @@ int read_pictures() {
 
 constexpr double kFrameSeconds = 20.0;
 
+VideoAnswer header_of(const cv::VideoCapture& capture) {
+  try {
+    return {1,
+            static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
+            static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT)),
+            0,
+            capture.get(cv::CAP_PROP_FPS),
+            capture.get(cv::CAP_PROP_FRAME_COUNT)};
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
 int read_video(const std::string& path) {
   limit_memory(4e9);
   allow_seconds(kFrameSeconds);
+  const stereo::Codecs& decoder = stereo::codecs();  // no library can be loaded any more once all is given up
   confine({path}, {});
-  cv::VideoCapture capture;
-  VideoAnswer opened;
-  try {
-    opened.opened = capture.open(path, cv::CAP_FFMPEG) ? 1 : 0;
-    opened.width = static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH));
-    opened.height = static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT));
-    opened.rate = capture.get(cv::CAP_PROP_FPS);
-    opened.frames = capture.get(cv::CAP_PROP_FRAME_COUNT);
-  } catch (const cv::Exception&) {
-    opened = {};
-  }
-  if (!tell(opened)) return 0;
+  const std::unique_ptr<cv::VideoCapture> capture = decoder.video(path);
+  if (!tell(capture ? header_of(*capture) : VideoAnswer()) || !capture) return 0;
   for (char question = 0; hear(question);) {
     allow_seconds(kFrameSeconds);
     cv::Mat image;
     GrabAnswer grabbed;
     try {
-      if (question == kGrab && capture.grab()) grabbed = {1, 0, capture.get(cv::CAP_PROP_POS_MSEC)};
-      if (question == kRetrieve && !capture.retrieve(image)) image.release();
+      if (question == kGrab && capture->grab()) grabbed = {1, 0, capture->get(cv::CAP_PROP_POS_MSEC)};
+      if (question == kRetrieve && !capture->retrieve(image)) image.release();
     } catch (const cv::Exception&) {
       image.release();
     }
@@ -98,7 +103,12 @@ int main(int count, char** words) {
   const std::string_view mode = count > 1 ? words[1] : "";
   child_side::begin();
   if (mode == "pictures" && count == 2) return read_pictures();
-  if (mode == "video" && count == 3) return read_video(words[2]);
+  try {
+    if (mode == "video" && count == 3) return read_video(words[2]);
+  } catch (const glisson::Error& failure) {
+    std::fprintf(stderr, "glisson-read-pictures: %s\n", failure.what());
+    return 1;
+  }
   if (mode == "escapes" && count == 3) return child_side::tell_escapes(words[2]);
   std::fprintf(stderr, "glisson-read-pictures MODE ...: a helper of Glisson, not run by hand\n");
   return 2;

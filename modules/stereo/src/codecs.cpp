@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
 
+#include "../codecs/opencv_codecs.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
@@ -25,12 +25,10 @@ bool comes_back(const Codec& codec, const std::filesystem::path& path) {
   constexpr int kFrames = 5;
   const cv::Mat grey(240, 320, CV_8UC3, cv::Scalar(128, 128, 128));
   try {
-    const auto& [a, b, c, d] = codec.tag;
-    cv::VideoWriter writer;
-    if (!writer.open(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc(a, b, c, d), 25.0, grey.size()))
-      return false;
-    for (int frame = 0; frame < kFrames; ++frame) writer.write(grey);
-    writer.release();
+    const auto writer = codecs().film(path.string(), codec.tag, 25.0, grey.size());
+    if (!writer) return false;
+    for (int frame = 0; frame < kFrames; ++frame) writer->write(grey);
+    writer->release();
     return FileStream(path).count_frames() == kFrames;
   } catch (const cv::Exception&) {
     return false;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/picture_io.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "../codecs/opencv_codecs.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/stereo/png.h"
@@ -46,21 +46,27 @@ cv::Mat grey_float(const Picture& picture) {
   return result;
 }
 
+namespace {
+
+/// @param name what errors call it.
+std::string encoded(const std::string& name, const std::string& extension, const Picture& picture,
+                    int quality) {
+  const std::vector<std::uint8_t> bytes = codecs().encode(extension, view(picture), quality);
+  if (bytes.empty()) throw FileError(name + ": the picture could not be encoded. Free some memory.");
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
 void write_picture(const std::filesystem::path& path, const Picture& picture) {
   const std::string extension = lower_extension(path);
   if (extension != ".png" && extension != ".jpg" && extension != ".jpeg" && extension != ".bmp")
     throw InputError(path.string(), "", "has no extension of a picture", "Use .png, .jpg or .bmp");
-  std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(extension, view(picture), bytes))
-    throw FileError(path.string() + ": the picture could not be encoded. Use .png.");
-  write_file_atomically(path, std::string(bytes.begin(), bytes.end()));
+  constexpr int kQuality = 95;
+  write_file_atomically(path, encoded(path.string(), extension, picture, kQuality));
 }
 
-std::string png_of(const Picture& picture) {
-  std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(".png", view(picture), bytes))
-    throw FileError("PNG: the picture could not be encoded. Free some memory.");
-  return {bytes.begin(), bytes.end()};
-}
+std::string png_of(const Picture& picture) { return encoded("PNG", ".png", picture, 0); }
+std::string jpeg_of(const Picture& picture, int quality) { return encoded("JPEG", ".jpg", picture, quality); }
 
 }  // namespace glisson::stereo

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "../codecs/opencv_codecs.h"
 #include "foreign_pictures.h"
 #include "glisson/core/error.h"
 #include "glisson/stereo/reach.h"
@@ -75,27 +76,19 @@ DeviceStream::DeviceStream(const std::string& device) {
   name = device_source(device);
   require_known_scheme(name);
   live = true;
-  const bool is_number = device.size() <= 3 && device.find_first_not_of("0123456789") == std::string::npos;
-  bool opened = false;
-  try {
-    opened = is_number ? capture_.open(std::stoi(device), cv::CAP_ANY) : capture_.open(device, cv::CAP_ANY);
-    // A long queue in the driver would hand out old frames.
-    if (opened) capture_.set(cv::CAP_PROP_BUFFERSIZE, 1);
-  } catch (const cv::Exception&) {
-    opened = false;
-  }
-  if (!opened)
+  capture_ = codecs().camera(device);
+  if (!capture_)
     throw InputError(name, "", "cannot be opened",
                      "Check that the camera is connected, that no other program uses it, and its number");
-  width = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH));
-  height = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT));
-  rate = capture_.get(cv::CAP_PROP_FPS);
+  width = static_cast<int>(capture_->get(cv::CAP_PROP_FRAME_WIDTH));
+  height = static_cast<int>(capture_->get(cv::CAP_PROP_FRAME_HEIGHT));
+  rate = capture_->get(cv::CAP_PROP_FPS);
   if (!(rate > 0.0) || rate > 1000.0) rate = 30.0;
 }
 
 bool DeviceStream::grab() {
   try {
-    if (!capture_.grab()) return false;
+    if (!capture_->grab()) return false;
   } catch (const cv::Exception&) {
     return false;
   }
@@ -106,7 +99,7 @@ bool DeviceStream::grab() {
 
 bool DeviceStream::retrieve(cv::Mat& image) {
   try {
-    return capture_.retrieve(image) && !image.empty();
+    return capture_->retrieve(image) && !image.empty();
   } catch (const cv::Exception&) {
     return false;
   }

@@ -60,7 +60,7 @@ class DeviceStream : public PictureStream {
   void rewind() override {}  // what is live has no beginning
 
  private:
-  cv::VideoCapture capture_;
+  std::unique_ptr<cv::VideoCapture> capture_;
 };
 
 /// Whether two times belong to one pair, and if not, which of them is to be passed over.

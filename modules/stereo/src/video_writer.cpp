@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <opencv2/videoio.hpp>
 #include <optional>
 
+#include "../codecs/opencv_codecs.h"
 #include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -19,15 +19,7 @@ struct VideoWriter::Impl {
   fs::path path;
   std::optional<OutputFile> file;  ///< on its way; without close() nothing remains of it
   int width = 0, height = 0, written = 0;
-  cv::VideoWriter writer;
-  bool open = false;
-
-  ~Impl() { release(); }
-
-  void release() {
-    if (open) writer.release();
-    open = false;
-  }
+  std::unique_ptr<cv::VideoWriter> film;  ///< null: closed
 
   /// Frames that can be read back; all where no reader can be had, for then nothing speaks against them.
   int readable() const {
@@ -58,31 +50,27 @@ VideoWriter::VideoWriter(const fs::path& path, int width, int height, double fra
   sweep_leftovers(fs::absolute(impl_->file->path()).parent_path());  // a recording that was cut off is kept
   impl_->width = width;
   impl_->height = height;
-  try {
-    impl_->open = impl_->writer.open(impl_->file->path().string(), cv::CAP_FFMPEG,
-                                     cv::VideoWriter::fourcc('m', 'p', '4', 'v'), frames_per_second,
-                                     cv::Size(width, height), true);
-  } catch (const cv::Exception&) {
-    impl_->open = false;
-  }
-  if (!impl_->open)
+  impl_->film = codecs().film(impl_->file->path().string(), {'m', 'p', '4', 'v'}, frames_per_second,
+                              cv::Size(width, height));
+  if (!impl_->film)
     throw FileError(path.string() + ": cannot be opened for recording. Check permissions and space.");
 }
 
 VideoWriter::~VideoWriter() = default;
 
 void VideoWriter::write(const Picture& picture) {
-  require(impl_->open, "a video that was closed takes no more pictures");
+  require(impl_->film != nullptr, "a video that was closed takes no more pictures");
   require(picture.width == impl_->width && picture.height == impl_->height && picture.channels == 3,
           "a picture has the size of its video and three channels");
   require_room(impl_->path, impl_->written, free_space);  // OpenCV says nothing of a full disk
-  impl_->writer.write(view(picture));
+  impl_->film->write(view(picture));
   ++impl_->written;
 }
 
 void VideoWriter::close() {
-  require(impl_->open, "a video is closed once");
-  impl_->release();
+  require(impl_->film != nullptr, "a video is closed once");
+  impl_->film->release();
+  impl_->film.reset();
   flush_to_disk(impl_->file->path());
   const int frames = impl_->readable();
   if (frames == 0)
