@@ -85,8 +85,8 @@ void paint_ribs(Canvas& canvas) {
       const double fall = 74.0 * smooth_step(10, r.end, angle) * (r.end / 140.0);
       double across = 0.78 * (p.z() - (r.height - fall));
       const double beyond = std::max({0.0, (angle - r.end) * 2.2, (14.0 - angle) * 2.0});
-      across = std::hypot(across, beyond);
-      nearest = std::min(nearest, std::hypot(across / 7.0, wall / 4.4));
+      across = length(across, beyond);
+      nearest = std::min(nearest, length(across / 7.0, wall / 4.4));
     }
     return 4.4 * (nearest - 1.0);
   };
@@ -101,7 +101,7 @@ void paint_ribs(Canvas& canvas) {
       const double start = r.height - 74.0 * (r.end / 140.0);
       const double across = 0.7 * (p.z() - (start + way * way * std::max(0.0, 66.0 - 0.5 * start)));
       const double beyond = std::max({0.0, (r.end - angle) * 2.0, (angle - 172.0) * 2.0});
-      nearest = std::min(nearest, std::hypot(std::hypot(across, beyond) / 6.5, wall / 4.2));
+      nearest = std::min(nearest, length(length(across, beyond) / 6.5, wall / 4.2));
     }
     return 4.2 * (nearest - 1.0);
   };

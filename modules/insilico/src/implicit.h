@@ -38,6 +38,9 @@ inline double soft_ramp(double x, double s) { return 0.5 * (x + std::sqrt(x * x 
 inline double mix(double a, double b, double t) { return a + (b - a) * t; }
 inline Vec mix_points(const Vec& a, const Vec& b, double t) { return a + (b - a) * t; }
 
+/// std::hypot, which took a fifth of a patient's time, of lengths that neither overflow nor vanish.
+inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// First-order distance to the ellipsoid with semi-axes r about the origin (Quilez).
 inline double ellipsoid(const Vec& p, const Vec& r) {
   const Vec q = p.cwiseQuotient(r);
@@ -48,8 +51,8 @@ inline double ellipsoid(const Vec& p, const Vec& r) {
 /// The same for an elliptic cylinder along z.
 inline double elliptic_cylinder(double x, double y, double rx, double ry) {
   const double qx = x / rx, qy = y / ry;
-  const double k0 = std::hypot(qx, qy);
-  const double k1 = std::hypot(qx / rx, qy / ry);
+  const double k0 = length(qx, qy);
+  const double k1 = length(qx / rx, qy / ry);
   return k1 < 1e-9 ? -std::min(rx, ry) : k0 * (k0 - 1.0) / k1;
 }
 

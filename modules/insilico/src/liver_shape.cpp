@@ -12,16 +12,28 @@ constexpr double kHilumX = -16.0, kHilumY = -6.0;
 
 /// A dome: a full ellipsoid above its equator, a straight wall below (so that the wall meets the visceral
 /// surface at a sharp angle). The exponent makes the top broader than an ellipsoid's.
-double dome_field(const Vec& p, const Vec& centre, const Vec& axes) {
-  const Vec d = p - centre;
-  const double plan = std::hypot(d.x() / axes.x(), d.y() / axes.y());
-  const double rise = soft_ramp(d.z(), 14.0) / axes.z();
-  constexpr double kPower = 2.35;
-  const double k0 = std::pow(std::pow(plan, kPower) + std::pow(rise, kPower), 1.0 / kPower);
-  const double k1 = Vec(d.x() / (axes.x() * axes.x()), d.y() / (axes.y() * axes.y()), rise / axes.z()).norm();
-  if (k1 < 1e-9) return -axes.minCoeff();
-  return std::hypot(plan, rise) * (k0 - 1.0) / k1;
-}
+class Dome {
+ public:
+  Dome(const Vec& p, const Vec& centre, const Vec& axes) : far_inside_(-axes.minCoeff()) {
+    const Vec d = p - centre;
+    plan_ = length(d.x() / axes.x(), d.y() / axes.y());
+    rise_ = soft_ramp(d.z(), 14.0) / axes.z();
+    k1_ = Vec(d.x() / (axes.x() * axes.x()), d.y() / (axes.y() * axes.y()), rise_ / axes.z()).norm();
+  }
+  double field() const {
+    constexpr double kPower = 2.35;
+    const double more = std::max(plan_, rise_);
+    // The norm (plan^q + rise^q)^(1/q), with a power less.
+    return at(more * std::pow(1.0 + std::pow(std::min(plan_, rise_) / more, kPower), 1.0 / kPower));
+  }
+  /// No more than that, without a power: no norm is less than its largest term.
+  double at_least() const { return at(std::max(plan_, rise_)); }
+
+ private:
+  double at(double k0) const { return k1_ < 1e-9 ? far_inside_ : length(plan_, rise_) * (k0 - 1.0) / k1_; }
+
+  double far_inside_, plan_, rise_, k1_;
+};
 
 }  // namespace
 
@@ -52,8 +64,13 @@ LiverShape::LiverShape(const ShapeParameters& parameters) : parameters_(paramete
 double LiverShape::cage(const Vec& p) const { return trunk_ring(p, 1.0, 139.0, 97.0); }
 
 double LiverShape::dome(const Vec& p) const {
-  return smooth_min(dome_field(p, right_centre_, right_axes_), dome_field(p, left_centre_, left_axes_),
-                    parameters_.saddle);
+  const Dome right(p, right_centre_, right_axes_), left(p, left_centre_, left_axes_);
+  const bool is_right = right.at_least() < left.at_least();
+  const double near = (is_right ? right : left).field();
+  const Dome& other = is_right ? left : right;
+  // Beyond the saddle's width the other has no part in the minimum.
+  return other.at_least() - near > parameters_.saddle ? near
+                                                      : smooth_min(near, other.field(), parameters_.saddle);
 }
 
 double LiverShape::lobes(const Vec& p) const { return smooth_max(dome(p), cage(p) + 1.5, 14.0); }
