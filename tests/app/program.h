@@ -195,7 +195,7 @@ class Program {
     return false;
   }
   static Ran end_of(QProcess& process) {
-    if (process.state() != QProcess::NotRunning && !process.waitForFinished(500000)) return {};
+    if (process.state() != QProcess::NotRunning && !process.waitForFinished(-1)) return {};
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
             QString::fromUtf8(process.readAllStandardOutput()),
             QString::fromUtf8(process.readAllStandardError())};
