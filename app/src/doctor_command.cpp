@@ -136,8 +136,10 @@ int run_doctor(const QStringList& given) {
   tell_confinement(found);
   found.try_out("locks", try_locks);
   found.try_out("volumes", try_volumes);
-  found.try_out("recording", stereo::try_recording);
-  tell_codecs(found);
+  found.try_out("recording", [&] {
+    stereo::try_recording();
+    tell_codecs(found);
+  });
   found.try_out("drawing", [&] { tell_drawing(found); });
   session.figures["missing"] = static_cast<double>(found.missing().size());
   session.finish();

@@ -14,7 +14,7 @@ const void* late_symbol(const std::string& library, const fs::path& built, const
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
   fs::path path = program.parent_path().parent_path() / "lib/glisson" / library;
-  if (!fs::is_regular_file(path, failure)) path = built;
+  if (!fs::is_regular_file(path, failure) && fs::is_regular_file(built, failure)) path = built;
   void* loaded = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   const void* found = loaded == nullptr ? nullptr : ::dlsym(loaded, symbol.c_str());
   if (found == nullptr)
