@@ -170,6 +170,10 @@ void HostilePicturesTest::WhatBreaksTheReaderIsASentence() {
     const std::string told = test::complaint<Error>([&] { (void)StereoVideo(at("a.mkv")); });
     QVERIFY2(told.find("is not a video that can be read") != std::string::npos, told.c_str());
   }
+  // Without its decoder no video can be read, which is no fault of the video.
+  use_reader("printf '\\002'; head -c 31 /dev/zero");
+  const std::string told = test::complaint<FileError>([&] { (void)StereoVideo(at("a.mkv")); });
+  QVERIFY2(told.find("Install Glisson again") != std::string::npos, told.c_str());
   qputenv("GLISSON_READ_PICTURES", "/nowhere/at/all");
   QCOMPARE(read_picture(at("a.png")).width, 32);  // the one that was built beside this test
 }

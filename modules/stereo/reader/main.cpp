@@ -64,7 +64,7 @@ constexpr double kFrameSeconds = 20.0;
 
 VideoAnswer header_of(const cv::VideoCapture& capture) {
   try {
-    return {1,
+    return {kOpened,
             static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
             static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT)),
             0,
@@ -105,9 +105,8 @@ int main(int count, char** words) {
   if (mode == "pictures" && count == 2) return read_pictures();
   try {
     if (mode == "video" && count == 3) return read_video(words[2]);
-  } catch (const glisson::Error& failure) {
-    std::fprintf(stderr, "glisson-read-pictures: %s\n", failure.what());
-    return 1;
+  } catch (const FileError&) {
+    return tell(VideoAnswer{kNoDecoder}) ? 1 : 0;
   }
   if (mode == "escapes" && count == 3) return child_side::tell_escapes(words[2]);
   std::fprintf(stderr, "glisson-read-pictures MODE ...: a helper of Glisson, not run by hand\n");

@@ -14,9 +14,13 @@ struct PictureQuestion {
   std::uint64_t pixels = 0;  ///< as its header claims: what may be spent on it
 };
 
+/// Whether a video could be opened; without a decoder (opencv_codecs.h) none can.
+inline constexpr std::int32_t kOpened = 1, kNoDecoder = 2;
+
 /// Mode "video": the reader begins with what it has opened.
 struct VideoAnswer {
-  std::int32_t opened = 0, width = 0, height = 0, reserved = 0;
+  std::int32_t opened = 0;  ///< kOpened, kNoDecoder, or anything else: it cannot be
+  std::int32_t width = 0, height = 0, reserved = 0;
   double rate = 0.0, frames = 0.0;
 };
 /// Then it is asked by one letter, for the next frame or for the pixels of that frame.

@@ -100,7 +100,11 @@ std::vector<std::string> picture_reader_escapes() {
 ForeignVideo::ForeignVideo(const fs::path& path)
     : reader_(reader_program(), {"video", fs::absolute(path).string()}) {
   reader::VideoAnswer answer;
-  if (reader_.receive(answer, kPatience) && answer.opened == 1) header_ = answer;
+  if (!reader_.receive(answer, kPatience)) return;
+  if (answer.opened == reader::kNoDecoder)
+    throw FileError(reader_program() +
+                    ": a library of Glisson is missing or cannot be loaded. Install Glisson again.");
+  if (answer.opened == reader::kOpened) header_ = answer;
 }
 
 std::optional<reader::GrabAnswer> ForeignVideo::grab() {

@@ -20,7 +20,7 @@ inline constexpr long kMostPixels = 64000000;
 /// The frames of one video file, decoded in a process of its own, one frame ahead.
 class ForeignVideo {
  public:
-  /// @throws FileError the reading program is missing.
+  /// @throws FileError the reading program is missing, or its decoder.
   explicit ForeignVideo(const std::filesystem::path& path);
   /// What it says of itself; empty: it cannot be opened, or broke the reader.
   const std::optional<reader::VideoAnswer>& header() const { return header_; }
