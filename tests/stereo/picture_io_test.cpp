@@ -2,6 +2,8 @@
 #include "glisson/stereo/picture_io.h"
 
 #include <QTest>
+#include <fstream>
+#include <iterator>
 
 #include "full_disk.h"
 #include "glisson/core/error.h"
@@ -66,6 +68,17 @@ class PictureIoTest : public QObject {
   TemporaryFolder folder_;
 
  private slots:
+  /// The first of all: a start must not wait for FFmpeg and what it brings along.
+  void CodecsAreLoadedWhenTheyAreNeeded() {
+    const auto is_loaded = [] {
+      std::ifstream maps("/proc/self/maps");
+      const std::string all{std::istreambuf_iterator<char>(maps), {}};
+      return all.find("/libavcodec.so") != std::string::npos;
+    };
+    QVERIFY(!is_loaded());
+    write_picture(folder_.path() / "first.png", pattern(37, 23, 3));
+    QVERIFY(is_loaded());
+  }
   void LosslessFormatsKeepEveryByte() {
     for (const int channels : {1, 3})
       for (const char* name : {"a.png", "a.bmp"}) {
