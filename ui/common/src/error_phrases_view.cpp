@@ -6,6 +6,8 @@
 
 namespace glisson::ui {
 
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): few phrases are longer than a line
+
 const std::vector<const char*>& view_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "show %1 points of the liver's surface, at least %2 are needed"),
@@ -216,5 +218,7 @@ const std::vector<const char*>& view_remedies() {
   };
   return kPhrases;
 }
+
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 }  // namespace glisson::ui
