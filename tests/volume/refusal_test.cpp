@@ -313,7 +313,7 @@ void RefusalTest::TheModalityIsKnownWhateverItsCase() {
 }
 
 void RefusalTest::TheReaderCanBeMissing() {
-  // A wrong place in the environment is passed over: the one beside the program or in the build is used.
+  // A wrong place in the environment is passed over: the one beside the program is used.
   const TemporaryFolder folder;
   write_image(folder.path() / "a.nrrd", test::stored_world(0));
   qputenv("GLISSON_READ_VOLUME", "/nowhere/at/all");

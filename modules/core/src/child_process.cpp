@@ -147,16 +147,13 @@ void give_lines(std::string& pending, const std::function<void(const std::string
 
 }  // namespace
 
-fs::path helper_program(const std::string& name, const char* variable, const fs::path& built) {
+fs::path helper_program(const std::string& name, const char* variable) {
   std::vector<fs::path> places;
   if (const char* named = std::getenv(variable)) places.emplace_back(named);
   std::error_code failure;
   const fs::path self = fs::read_symlink("/proc/self/exe", failure);
-  if (!failure) {
-    places.push_back(self.parent_path() / name);
-    places.push_back(self.parent_path().parent_path() / "bin" / name);
-  }
-  places.push_back(built);
+  places.push_back(self.parent_path() / name);
+  places.push_back(self.parent_path().parent_path() / "bin" / name);
   for (const fs::path& place : places)
     if (::access(place.c_str(), X_OK) == 0 && fs::is_regular_file(place, failure)) return place;
   throw FileError(places.front().string() +

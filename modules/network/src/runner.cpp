@@ -24,9 +24,7 @@ constexpr double kPoll = 0.02;  ///< how long a cancel may go unnoticed, seconds
 constexpr std::uintmax_t kMostBytes = 1000000000;
 constexpr const char* kExportAgain = "Export it again as ONNX (opset 11), with its weights inside the file";
 
-std::string runner_program() {
-  return helper_program("glisson-run-network", "GLISSON_RUN_NETWORK", GLISSON_RUN_NETWORK_PROGRAM).string();
-}
+std::string runner_program() { return helper_program("glisson-run-network", "GLISSON_RUN_NETWORK").string(); }
 
 std::string content_of(const fs::path& path) {
   std::error_code failure;

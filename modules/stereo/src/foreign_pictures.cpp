@@ -6,6 +6,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/late_library.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_reader.h"
 #include "picture_header.h"
@@ -18,8 +19,7 @@ namespace {
 constexpr double kPatience = 60.0;
 
 std::string reader_program() {
-  return helper_program("glisson-read-pictures", "GLISSON_READ_PICTURES", GLISSON_READ_PICTURES_PROGRAM)
-      .string();
+  return helper_program("glisson-read-pictures", "GLISSON_READ_PICTURES").string();
 }
 
 bool fits(const reader::PixelAnswer& answer, long width, long height) {
@@ -101,9 +101,7 @@ ForeignVideo::ForeignVideo(const fs::path& path)
     : reader_(reader_program(), {"video", fs::absolute(path).string()}) {
   reader::VideoAnswer answer;
   if (!reader_.receive(answer, kPatience)) return;
-  if (answer.opened == reader::kNoDecoder)
-    throw FileError(reader_program() +
-                    ": a library of Glisson is missing or cannot be loaded. Install Glisson again.");
+  if (answer.opened == reader::kNoDecoder) throw MissingLibrary(reader_program());
   if (answer.opened == reader::kOpened) header_ = answer;
 }
 

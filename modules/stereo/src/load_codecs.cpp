@@ -5,8 +5,8 @@
 namespace glisson::stereo {
 
 const Codecs& codecs() {
-  static const Codecs& kLoaded = **static_cast<const Codecs* const*>(
-      late_symbol("glisson-codecs.so", GLISSON_CODECS_LIBRARY, kCodecsSymbol));
+  static const Codecs& kLoaded =
+      **static_cast<const Codecs* const*>(late_symbol("glisson-codecs.so", kCodecsSymbol));
   return kLoaded;
 }
 

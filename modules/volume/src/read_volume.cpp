@@ -24,9 +24,7 @@ namespace {
 
 constexpr int kRefused = 3;  // reader/main.cpp
 
-fs::path reader_program() {
-  return helper_program("glisson-read-volume", "GLISSON_READ_VOLUME", GLISSON_READ_VOLUME_PROGRAM);
-}
+fs::path reader_program() { return helper_program("glisson-read-volume", "GLISSON_READ_VOLUME"); }
 
 /// What the reading program has left.
 struct Delivered {

@@ -16,10 +16,9 @@
 
 namespace glisson {
 
-/// Where a helper program is: named by an environment variable, beside the running program, in ../bin, or
-/// where it was built. @throws FileError it is missing.
-std::filesystem::path helper_program(const std::string& name, const char* variable,
-                                     const std::filesystem::path& built);
+/// Where a helper program is: named by an environment variable, beside the running program, or in ../bin.
+/// @throws FileError it is missing.
+std::filesystem::path helper_program(const std::string& name, const char* variable);
 
 /// How a child process ended.
 struct ChildExit {
