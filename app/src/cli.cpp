@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QByteArray>
 #include <QDir>
 #include <QLocale>
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "exit_code.h"
 #include "glisson/core/log_file.h"
 #include "glisson/core/output_file.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/outcome_log.h"
@@ -26,6 +28,8 @@
 namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr double kSecondsALine = 60.0;
 
 bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
@@ -44,9 +48,17 @@ void clear_progress() {
   if (on_terminal()) std::fputs("\r\033[K", stderr);
 }
 
+/// In place on a terminal; elsewhere a line a minute, so that a log of a long run tells how far it is.
 void show_progress(double fraction, const QString& doing) {
-  if (!on_terminal()) return;
-  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * fraction, doing.toUtf8().constData());
+  const QByteArray text = QString::asprintf("%3.0f %%  ", 100.0 * fraction).toUtf8() + doing.toUtf8();
+  if (on_terminal()) {
+    std::fprintf(stderr, "\r\033[K%s", text.constData());
+  } else {
+    static Stopwatch since_told;
+    if (since_told.seconds() < kSecondsALine) return;
+    since_told = {};
+    std::fprintf(stderr, "%s\n", text.constData());
+  }
   std::fflush(stderr);
 }
 
