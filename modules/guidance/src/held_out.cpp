@@ -13,7 +13,8 @@ namespace {
 /// Seconds that a mask may ever be old (network/mask_sheet.h). And frames, for a source that tells no time.
 constexpr double kOldest = 10.0;
 constexpr std::size_t kRemembered = 2000;
-constexpr double kRelief = 0.8;  ///< of the limit: below it the reason goes
+constexpr std::size_t kMostIds = 20000;  ///< minutes of points; later points have higher ids
+constexpr double kRelief = 0.8;          ///< of the limit: below it the reason goes
 
 }  // namespace
 
@@ -67,6 +68,7 @@ std::vector<char> HeldOut::free(const std::vector<FollowedPoint>& points) {
     if (result[i] == 0 && was_there && !liver_.contains(id)) never_liver_.push_back(id);
     use_->held_out += result[i] == 0;
   }
+  while (liver_.size() > kMostIds) liver_.erase(liver_.begin());
   return result;
 }
 
