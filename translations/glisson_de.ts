@@ -301,6 +301,14 @@
         <translation>Zuerst ein CT öffnen.</translation>
     </message>
     <message>
+        <source>New labels are on their way: wait for them, or cancel that.</source>
+        <translation>Neue Labels sind unterwegs: warten Sie darauf, oder brechen Sie das ab.</translation>
+    </message>
+    <message>
+        <source>A new segmentation waits for your decision.</source>
+        <translation>Eine neue Segmentierung wartet auf Ihre Entscheidung.</translation>
+    </message>
+    <message>
         <source>The label is locked.</source>
         <translation>Das Label ist gesperrt.</translation>
     </message>
@@ -11935,6 +11943,10 @@
     <message>
         <source>With labels there: click what is missing, or too much.</source>
         <translation>Wo es Labels gibt: klicken Sie an, was fehlt oder zu viel ist.</translation>
+    </message>
+    <message>
+        <source>New labels are on their way, or wait for your decision: this click changes none now. It counts when you segment again.</source>
+        <translation>Neue Labels sind unterwegs oder warten auf Ihre Entscheidung: dieser Klick ändert jetzt keine. Er zählt, wenn Sie wieder segmentieren.</translation>
     </message>
     <message>
         <source>Correcting around the click…</source>

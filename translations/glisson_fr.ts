@@ -301,6 +301,14 @@
         <translation>Ouvrez d&apos;abord un scanner.</translation>
     </message>
     <message>
+        <source>New labels are on their way: wait for them, or cancel that.</source>
+        <translation>De nouvelles étiquettes arrivent : attendez-les, ou annulez.</translation>
+    </message>
+    <message>
+        <source>A new segmentation waits for your decision.</source>
+        <translation>Une nouvelle segmentation attend votre décision.</translation>
+    </message>
+    <message>
         <source>The label is locked.</source>
         <translation>L&apos;étiquette est verrouillée.</translation>
     </message>
@@ -11935,6 +11943,10 @@
     <message>
         <source>With labels there: click what is missing, or too much.</source>
         <translation>Là où il y a des étiquettes : cliquez ce qui manque ou est en trop.</translation>
+    </message>
+    <message>
+        <source>New labels are on their way, or wait for your decision: this click changes none now. It counts when you segment again.</source>
+        <translation>De nouvelles étiquettes arrivent ou attendent votre décision : ce clic n&apos;en change aucune maintenant. Il comptera quand vous segmenterez à nouveau.</translation>
     </message>
     <message>
         <source>Correcting around the click…</source>

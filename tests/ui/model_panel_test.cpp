@@ -296,6 +296,9 @@ void ModelPanelTest::StiffnessGoesToTheCaseAndComesBack() {
   choose("stiffness_lesion_1", 2);    // stiff
   QTRY_VERIFY(is_tissue("parenchyma=cirrhotic,lesion_1=stiff"));
   QCOMPARE(kilopascals("stiffness_lesion_1_kpa")->value(), 150.0);
+  // The block's lesion has no elements of its own.
+  QTRY_VERIFY2(text("stiffness_notes").contains("its stiffness changes nothing"),
+               qPrintable(text("stiffness_notes")));
   QVERIFY(!kilopascals("stiffness_lesion_1_kpa")->isEnabled());
   choose("stiffness_lesion_1", 3);  // by value
   QVERIFY(kilopascals("stiffness_lesion_1_kpa")->isEnabled());
@@ -309,6 +312,7 @@ void ModelPanelTest::StiffnessGoesToTheCaseAndComesBack() {
   QCOMPARE(chosen("stiffness_parenchyma"), 0);
   choose("stiffness_lesion_1", 0);
   QTRY_VERIFY(!state()[part::tissue]);
+  QTRY_VERIFY(!window_->findChild<QLabel*>(QStringLiteral("stiffness_notes"))->isVisible());
 }
 
 void ModelPanelTest::ByValueTheParenchymaMayBeAsAHealthyOne() {

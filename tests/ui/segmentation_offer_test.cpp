@@ -38,6 +38,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void DroppedLabelsAskFirst();
   void UndoWaitsForTheDecision();
   void ToolsAndImportWaitForTheDecision();
+  void WhatIsDoneWhileItIsGrownDoesNotMeetIt();
   void SavingWhileItIsGrownKeepsTheCorrections();
 
  private:
@@ -200,6 +201,28 @@ void SegmentationOfferTest::ToolsAndImportWaitForTheDecision() {
   QVERIFY2(import->toolTip().contains("elsewhere"), qPrintable(import->toolTip()));
   QTest::keyClick(window_.get(), Qt::Key_P);
   QVERIFY(session().tool() != nullptr);
+}
+
+void SegmentationOfferTest::WhatIsDoneWhileItIsGrownDoesNotMeetIt() {
+  correct_by_hand();
+  seed_liver();
+  const LabelVolume mine = labels();
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  press_segment();
+  QVERIFY(!window_->engine().tasks().empty());
+  // An undo would take the new one back, a stroke or a correcting click would let it go unseen.
+  for (const QAction* action : panel().history_actions()) QVERIFY(!action->isEnabled());
+  session().undo();
+  drag(slice(Plane::axial), {{-0.02, 0.0, 0.0}, {0.02, 0.0, 0.0}});
+  press("seed_background");
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.02, 0.025, 0.0)).toPoint());
+  QVERIFY2(find<QLabel>("correction")->text().contains("on their way"),
+           qPrintable(find<QLabel>("correction")->text()));
+  QCOMPARE(window_->engine().tasks().size(), std::size_t{2});  // it is grown, and the seed is kept
+  QVERIFY(settle());
+  QVERIFY(waits() && labels() == mine);
+  QCOMPARE(window_->engine().state()[part::seeds]->background.rows(), Eigen::Index{1});
 }
 
 void SegmentationOfferTest::SavingWhileItIsGrownKeepsTheCorrections() {

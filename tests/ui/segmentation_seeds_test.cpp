@@ -164,8 +164,13 @@ void SegmentationSeedsTest::AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced
   open_labels();
   press("mode_seeds");
   auto* propose = find<ui::TaskButton>("propose_seeds");
+  press("seed_background");
   QTest::mouseClick(propose->button(), Qt::LeftButton);  // this liver lies in the patient's middle
+  // A click meanwhile would put the seeds of before in the place of those that are found.
+  QVERIFY(!find<QPushButton>("seed_background")->isEnabled());
+  QCOMPARE(shared().hand(), ui::Hand::crosshair);
   QVERIFY(settle());
+  QVERIFY(find<QPushButton>("seed_background")->isEnabled());
   const auto said = [&] {
     QStringList all;
     for (const QLabel* label : propose->findChildren<QLabel*>()) all << label->text();

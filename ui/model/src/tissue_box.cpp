@@ -5,7 +5,9 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -50,11 +52,19 @@ double value_in(const QDoubleSpinBox& box, double former) {
 }  // namespace
 
 TissueBox::TissueBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), engine_(engine) {
-  form_ = new QFormLayout(this);
-  form_->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  form_ = new QFormLayout;
+  column->addLayout(form_);
+  notes_ = make_warning(this);
+  notes_->setObjectName(QStringLiteral("stiffness_notes"));
+  column->addWidget(notes_);
   parenchyma_ = add_row(structure_text(structure::kParenchyma), QStringLiteral("stiffness_parenchyma"),
                         {tr("Healthy"), tr("Cirrhotic"), tr("By value")});
   connect(&engine_, &EngineBridge::case_changed, this, &TissueBox::show_case);
+  connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
+    if (outcome.id == posted_) show_warning(*notes_, notes_text(outcome.notes));
+  });
   show_case();
 }
 
@@ -84,6 +94,7 @@ void TissueBox::show_case() {
   const bool is_new = now[part::model] != shown_ || now[part::tissue] != shown_tissue_;
   if (now[part::model] != shown_) {
     shown_ = now[part::model];
+    notes_->hide();  // they were said of the former one
     show_rows();
   }
   shown_tissue_ = now[part::tissue];
@@ -127,7 +138,7 @@ void TissueBox::show_values(const fem::Tissue& tissue) {
 void TissueBox::post() {
   const fem::Tissue tissue = chosen();
   show_values(tissue);
-  engine_.post(engine::SetTissue{tissue});
+  posted_ = engine_.post(engine::SetTissue{tissue});
 }
 
 fem::Tissue TissueBox::chosen() const {

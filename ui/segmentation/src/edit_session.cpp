@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/edit_labels.h"
@@ -17,6 +18,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/patient/label_difference.h"
+#include "replaced.h"
 
 namespace glisson::ui {
 namespace {
@@ -84,7 +86,8 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
   connect(&engine_, &EngineBridge::case_changed, this, &EditSession::show_case);
   connect(&engine_, &EngineBridge::finished, this, &EditSession::take);
   connect(&engine_, &EngineBridge::tasks_changed, this, [this] {
-    if (previewing_ || applying_) emit changed();
+    const bool was_replaced = std::exchange(is_replaced_, is_replaced(engine_, part::labels));
+    if (previewing_ || applying_ || is_replaced_ != was_replaced) emit changed();
   });
   show_case();
 }
@@ -156,6 +159,8 @@ void EditSession::show_hand() {
 
 EditObstacle EditSession::obstacle() const {
   if (!engine_.state()[part::image]) return EditObstacle::no_volume;
+  if (is_replaced_) return EditObstacle::replaced;
+  if (engine_.state()[part::offer]) return EditObstacle::offered;
   return obstacle_of(tool_, settings_, present_);
 }
 
@@ -207,13 +212,13 @@ int EditSession::steps_ahead() const {
 }
 
 bool EditSession::can_undo() const {
-  if (engine_.state()[part::offer]) return false;  // it would be lost: first comes the decision
+  if (is_replaced_ || engine_.state()[part::offer]) return false;  // it would be lost
   const auto& history = engine_.state()[part::history];
   return (history ? static_cast<int>(history->done()) : 0) + steps_ahead() > 0;
 }
 
 bool EditSession::can_redo() const {
-  if (engine_.state()[part::offer]) return false;
+  if (is_replaced_ || engine_.state()[part::offer]) return false;
   const auto& history = engine_.state()[part::history];
   return history && edits_.empty() &&
          static_cast<int>(history->done()) + steps_ahead() < static_cast<int>(history->steps().size());

@@ -30,6 +30,10 @@ class EditTexts {
         break;
       case EditObstacle::no_volume:
         return tr("Open a CT first.");
+      case EditObstacle::replaced:
+        return tr("New labels are on their way: wait for them, or cancel that.");
+      case EditObstacle::offered:
+        return tr("A new segmentation waits for your decision.");
       case EditObstacle::label_locked:
         return tr("The label is locked.");
       case EditObstacle::label_empty:

@@ -30,6 +30,7 @@
 #include "glisson/ui/segmentation/click_box.h"
 #include "glisson/ui/segmentation/network_box.h"
 #include "glisson/ui/segmentation/region_box.h"
+#include "replaced.h"
 
 namespace glisson::ui {
 namespace {
@@ -111,6 +112,12 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
     if (storing_.erase(outcome.id) == 0 || !storing_.empty()) return;
     take_seeds();  // those of the case, also where what was stored did not come to it
     show_case();
+  });
+  connect(&engine_, &EngineBridge::tasks_changed, this, [this] {
+    if (is_replaced_ == is_replaced(engine_, part::seeds)) return;
+    is_replaced_ = !is_replaced_;
+    if (is_replaced_) let_go();
+    show_buttons();
   });
   for (const TaskButton* button : {run_, propose_})
     connect(button, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
@@ -442,7 +449,7 @@ void SeedBox::show_buttons() {
     const int count = count_seeds(seeds_, label);
     button->setText(count > 0 ? QStringLiteral("%1 (%2)").arg(seed_name(label)).arg(count)
                               : seed_name(label));
-    button->setEnabled(engine_.state()[part::image] != nullptr);
+    button->setEnabled(engine_.state()[part::image] && !is_replaced_);
     button->show();
     if (is_lesion(label))
       put_button(lesion_grid_, lesion_cell++, kColumns, button);
@@ -457,9 +464,11 @@ void SeedBox::show_buttons() {
   const bool bar = lesion_cell > kLesionRows * kColumns;
   lesions_->setVerticalScrollBarPolicy(bar ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
   lesion_grid_->setContentsMargins(0, 0, bar ? 0 : lesions_->verticalScrollBar()->sizeHint().width(), 0);
-  remove_->setEnabled(!list_->selectedItems().isEmpty());
+  list_->setEnabled(!is_replaced_);
+  remove_->setEnabled(!is_replaced_ && !list_->selectedItems().isEmpty());
+  load_->setEnabled(!is_replaced_);
   save_->setEnabled(!entries_.empty());
-  clear_->setEnabled(!entries_.empty() || puts_back());
+  clear_->setEnabled(!is_replaced_ && (!entries_.empty() || puts_back()));
   clear_->setText(puts_back() ? tr("Put back") : tr("Clear"));
   run_->set_obstacle(obstacle());
 }

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "glisson/engine/parts/model.h"
 #include "glisson/fem/tissue.h"
@@ -12,6 +13,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 
 namespace glisson::ui {
 
@@ -36,6 +38,8 @@ class TissueBox : public QWidget {
 
   EngineBridge& engine_;
   QFormLayout* form_ = nullptr;
+  QLabel* notes_ = nullptr;
+  std::optional<engine::CommandId> posted_;  ///< the newest: its notes are shown
   Row parenchyma_;
   std::map<Label, Row> lesions_;
   std::shared_ptr<const model::BuiltModel> shown_;

@@ -142,6 +142,7 @@ class EditSession : public QObject {
   BranchPreview* branch_ = nullptr;
   QTimer* soon_ = nullptr;  ///< a preview follows the settings when they rest
   std::optional<engine::CommandId> previewing_, applying_;
+  bool is_replaced_ = false;  ///< other labels are on their way
   std::shared_ptr<const engine::EditPreview> measured_;
   std::vector<VolumeChange> volume_changes_;   ///< of measured_
   std::set<engine::CommandId> edits_;          ///< that are not done yet

@@ -47,6 +47,16 @@ struct Cut {
 };
 
 /// Why a tool cannot be used now.
-enum class EditObstacle { none, no_volume, label_locked, label_empty, other_empty, same_label, one_label };
+enum class EditObstacle {
+  none,
+  no_volume,
+  replaced,  ///< other labels are on their way
+  offered,   ///< a new segmentation waits for a decision, which an edit would let go
+  label_locked,
+  label_empty,
+  other_empty,
+  same_label,
+  one_label
+};
 
 }  // namespace glisson::ui

@@ -82,6 +82,7 @@ class SeedBox : public QWidget {
   segmentation::Seeds seeds_;
   segmentation::Seeds cleared_;  ///< until there are others
   std::shared_ptr<const segmentation::Seeds> taken_;
+  bool is_replaced_ = false;  ///< other seeds are on their way
   std::set<engine::CommandId> storing_;
   std::shared_ptr<const Image> image_;
   /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
