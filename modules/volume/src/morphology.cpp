@@ -2,6 +2,7 @@
 #include "glisson/volume/morphology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -97,20 +98,26 @@ void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int 
     for (int first = 0; first < size.x(); first += kLines) {
       const int count = std::min(kLines, size.x() - first);
       float* const start = field.data() + static_cast<std::size_t>(first) + other * apart;
-      bool all_zero = true, all_far = true;
-      for (int p = 0; p < length; ++p)
-        for (int n = 0; n < count; ++n) {
-          const float value = start[static_cast<std::size_t>(p) * stride + static_cast<std::size_t>(n)];
-          lines[static_cast<std::size_t>(n)].in[static_cast<std::size_t>(p)] = value;
-          all_zero = all_zero && value == 0.0F;
-          all_far = all_far && value == kFar;
+      const auto all_are = [&](float value) {
+        bool same = true;
+        for (int p = 0; p < length && same; ++p) {
+          const float* run = start + static_cast<std::size_t>(p) * stride;
+          for (int n = 0; n < count; ++n) same &= run[n] == value;
         }
-      if (all_zero || all_far) continue;
+        return same;
+      };
+      if (all_are(0.0F) || all_are(kFar)) continue;
+      std::array<float*, kLines> in{}, out{};
+      for (std::size_t n = 0; n < lines.size(); ++n) in[n] = lines[n].in.data(), out[n] = lines[n].out.data();
+      for (int p = 0; p < length; ++p) {
+        const float* run = start + static_cast<std::size_t>(p) * stride;
+        for (int n = 0; n < count; ++n) in[static_cast<std::size_t>(n)][p] = run[n];
+      }
       for (int n = 0; n < count; ++n) transform_line(lines[static_cast<std::size_t>(n)], length, h, cap);
-      for (int p = 0; p < length; ++p)
-        for (int n = 0; n < count; ++n)
-          start[static_cast<std::size_t>(p) * stride + static_cast<std::size_t>(n)] =
-              lines[static_cast<std::size_t>(n)].out[static_cast<std::size_t>(p)];
+      for (int p = 0; p < length; ++p) {
+        float* run = start + static_cast<std::size_t>(p) * stride;
+        for (int n = 0; n < count; ++n) run[n] = out[static_cast<std::size_t>(n)][p];
+      }
     }
   };
   share_out_runs(static_cast<std::size_t>(size[3 - axis]), least_run(row * static_cast<std::size_t>(length)),
