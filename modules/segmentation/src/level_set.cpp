@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 
+#include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
 #include "glisson/volume/voxel_neighbours.h"
 
@@ -24,12 +28,20 @@ struct Neighbours {
         z(static_cast<std::size_t>(field.size.x()) * static_cast<std::size_t>(field.size.y())) {}
 };
 
-struct Entry {
-  float distance;
-  std::size_t at;
-  bool operator>(const Entry& other) const {
-    return distance != other.distance ? distance > other.distance : at > other.at;
-  }
+/// A voxel and its distance (mm, not negative) in one number: a distance's bits are in order as it is itself,
+/// and of two that are alike the voxel that comes first is the less. One comparison orders a heap, of half
+/// the size.
+class Entry {
+ public:
+  /// @pre at < 2^32
+  Entry(float distance, std::size_t at)
+      : key_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(distance)) << 32 | at) {}
+  float distance() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
+  std::size_t at() const { return static_cast<std::uint32_t>(key_); }
+  bool operator>(const Entry& other) const { return key_ > other.key_; }
+
+ private:
+  std::uint64_t key_;
 };
 
 /// The nearest first. A heap for each stretch of the way to `limit`: few of them are touched at a time, so
@@ -40,7 +52,7 @@ class Front {
 
   void push(const Entry& entry) {
     const std::size_t stretch =
-        std::clamp(static_cast<std::size_t>(entry.distance * scale_), current_, kStretches - 1);
+        std::clamp(static_cast<std::size_t>(entry.distance() * scale_), current_, kStretches - 1);
     stretches_[stretch].push_back(entry);
     if (stretch == current_)
       std::push_heap(stretches_[stretch].begin(), stretches_[stretch].end(), std::greater<>());
@@ -83,6 +95,7 @@ class Rebuilder {
         h_(static_cast<float>(phi.spacing_mm.minCoeff())),
         limit_(kBandVoxels * h_),
         sides_{Side{true, Front(limit_)}, Side{false, Front(limit_)}} {
+    require(phi.values.size() <= std::numeric_limits<std::uint32_t>::max(), "a voxel's number has 32 bits");
     distance_.resize(phi.values.size(), limit_);
     done_.resize(phi.values.size(), 0);
     on_edge_.resize(phi.values.size(), 1);
@@ -102,8 +115,8 @@ class Rebuilder {
       phi.values[at] = phi.values[at] < 0.0F ? -limit_ : limit_;
     }
     for (const Entry& entry : beside_) {
-      distance_[entry.at] = entry.distance;
-      sides_[phi.values[entry.at] < 0.0F ? 0 : 1].front.push(entry);
+      distance_[entry.at()] = entry.distance();
+      sides_[phi.values[entry.at()] < 0.0F ? 0 : 1].front.push(entry);
     }
     beside_.clear();
     share_out(2, 2, [&](std::size_t side, bool) { march(phi, sides_[side]); });
@@ -168,7 +181,7 @@ class Rebuilder {
     if (!crossed) return;
     float sum = 0.0F;
     for (const float d : nearest) sum += 1.0F / (d * d);
-    beside_.push_back({1.0F / std::sqrt(sum), at});
+    beside_.emplace_back(1.0F / std::sqrt(sum), at);
   }
 
   /// |grad d| = 1 solved upwind from the side's accepted neighbours (Sethian 1996).
@@ -195,14 +208,15 @@ class Rebuilder {
 
   void march(const Field& phi, Side& side) {
     while (const auto entry = side.front.pop()) {
-      if (done_[entry->at] != 0) continue;
-      done_[entry->at] = 1;
-      each_neighbour(entry->at, [&](std::size_t other, int) {
+      const std::size_t at = entry->at();
+      if (done_[at] != 0) continue;
+      done_[at] = 1;
+      each_neighbour(at, [&](std::size_t other, int) {
         if (!side.holds(phi, other) || done_[other] != 0) return;
         const float d = solve(phi, side, other);
         if (d < distance_[other] && d < limit_) {
           distance_[other] = d;
-          side.front.push({d, other});
+          side.front.push(Entry(d, other));
         }
       });
     }
