@@ -30,8 +30,11 @@ Eigen::Array3f above(const Eigen::Array3d& values) {
   return single + rounding(single);
 }
 
-/// A squared distance to a box in single precision that is larger than this is larger than `squared`.
-float limit_of(double squared) { return static_cast<float>(squared * (1.0 + 3e-6)) + 1e-37F; }
+/// A squared distance to a box in single precision that is larger than this is larger than `squared`. Finite:
+/// that to the box of an absent child is not.
+float limit_of(double squared) {
+  return std::min(static_cast<float>(squared * (1.0 + 3e-6)) + 1e-37F, std::numeric_limits<float>::max());
+}
 
 /// The square of the sine between two edges below which a triangle is a line, as far as rounding lets one
 /// see.
@@ -222,18 +225,23 @@ struct ClosestPointTree::Queue {
     int child;
     float squared;  ///< distance to its box
   };
-  Entry entries[kStackDepth];
+  Entry entries[kStackDepth + 1];  ///< one that is left out again lies behind the last
   int size = 0;
 
-  /// @param squared of each child of the node. Those over the limit are left out.
+  /// Without a jump for each child: which of them are near enough cannot be foretold. The nearest goes last,
+  /// the others as they come. @param squared of each child of the node. Those over the limit are left out.
   void add(const Node& node, const Eigen::Array4f& squared, float limit) {
     const int first = size;
+    int nearest = first;
+    float least = kNowhere;
     for (int k = 0; k < 4; ++k) {
-      if (!(squared[k] <= limit) || node.child[k] == kAbsent) continue;
-      int at = size++;
-      for (; at > first && entries[at - 1].squared < squared[k]; --at) entries[at] = entries[at - 1];
-      entries[at] = {node.child[k], squared[k]};
+      entries[size] = {node.child[k], squared[k]};
+      const bool is_nearer = squared[k] < least;
+      nearest = is_nearer ? size : nearest;
+      least = is_nearer ? squared[k] : least;
+      size += squared[k] <= limit;
     }
+    if (size > first) std::swap(entries[nearest], entries[size - 1]);
   }
 };
 
