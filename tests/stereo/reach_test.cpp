@@ -55,6 +55,8 @@ class ReachTest : public QObject {
     const QByteArray png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), end("\0\0\0\0IEND", 8);
     const QString large = "more than any camera", none = "is not a whole picture";
     QTest::newRow("PNG") << png + QByteArray("\0\0\xFF\xFF\0\0\xFF\xFF\x08\x02\0\0\0", 13) + end << large;
+    for (const int length : {8, 11, 12, 15})
+      QTest::addRow("PNG of %d bytes", length) << png.first(length) << none;
     QTest::newRow("PNG of no size") << png + QByteArray("\0\0\0\0\0\0\xFF\xFF\x08\x02\0\0\0", 13) + end
                                     << none;
     QTest::newRow("JPEG") << QByteArray("\xFF\xD8\xFF\xC0\0\x11\x08\xFF\xFF\xFF\xFF\x03\xFF\xD9", 14)
@@ -83,6 +85,8 @@ class ReachTest : public QObject {
     QTest::newRow("SDP") << QByteArray("v=0\no=- 0 0 IN IP4 192.0.2.1\n");
     QTest::newRow("DASH") << QByteArray("<?xml version=\"1.0\"?><MPD></MPD>");
     QTest::newRow("nothing") << QByteArray();
+    for (const int length : {4, 7, 8, 11})
+      QTest::addRow("AVI of %d bytes", length) << QByteArray("RIFF\0\0\0\0AVI ", 12).first(length);
   }
   void PlayListsAreNoVideos() {
     QFETCH(QByteArray, content);

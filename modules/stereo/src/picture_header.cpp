@@ -18,7 +18,7 @@ std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size, b
 }
 
 PictureHeader png(std::string_view bytes) {
-  if (bytes.substr(12, 4) != "IHDR") return {};
+  if (bytes.size() < 16 || bytes.substr(12, 4) != "IHDR") return {};
   return {"PNG", number(bytes, 16, 4, true), number(bytes, 20, 4, true)};
 }
 

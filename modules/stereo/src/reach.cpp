@@ -93,7 +93,7 @@ bool begins_as_video(std::string_view begin) {
         "\x00\x00\x01\xBA"sv, "\x00\x00\x01\xB3"sv, "\x00\x00\x00\x01"sv, "\x00\x00\x01\x67"sv,
         "YUV4MPEG2 "sv})
     if (begin.starts_with(mark)) return true;
-  if (begin.starts_with("RIFF")) return begin.substr(8, 4) == "AVI ";
+  if (begin.starts_with("RIFF")) return begin.size() >= 12 && begin.substr(8, 4) == "AVI ";
   for (const char* box : {"ftyp", "moov", "mdat", "free", "skip", "wide"})  // MP4 and QuickTime
     if (begin.size() >= 8 && begin.substr(4, 4) == box) return true;
   return !begin.empty() &&
