@@ -3,11 +3,11 @@
 //   openigtlink_peer listen PORT   connects, prints each message as a line, ends when the server closes
 //   openigtlink_peer idle PORT     connects, reads nothing, until its input ends
 //   openigtlink_peer babble PORT   connects, says what is no message, until its input ends
-//   openigtlink_peer serve KIND    prints "port N" and sends to whoever connects, one after the other:
-//   pictures
+//   openigtlink_peer serve KIND    prints "port N" and sends to whoever connects, one after the other, of
+//   whom each is told by a line "client": pictures
 //     (frame i: pixel (x, y) is (x + i, y, 200) in red, green, blue, 7 more in the right one; time 1000 + i /
-//     25) and the pose of a tool. KIND: good, grey, skewed, damaged, lying, endless, silent, noise, nan,
-//     brief
+//     25) and the pose of a tool. KIND: good, grey, skewed, lagging (the right view one frame behind),
+//     damaged, lying, endless, silent, noise, nan, brief
 #include <igtlClientSocket.h>
 #include <igtlImageMessage.h>
 #include <igtlMessageHeader.h>
@@ -195,6 +195,10 @@ bool send_frame(igtl::Socket* socket, const std::string& kind, int frame) {
   const double seconds = 1000.0 + frame / 25.0;
   const int components = kind == "grey" ? 1 : 3;
   auto left = picture("Left", frame, 0, seconds, components);
+  if (kind == "lagging") {
+    auto late = picture("Right", frame - 1, 7, seconds - 1.0 / 25.0, 3);
+    return send(socket, left) && (frame == 0 || send(socket, late));
+  }
   auto right = picture("Right", frame, 7, seconds + (kind == "skewed" ? 0.5 : 0.004), components);
   if (kind == "silent") return true;
   if (kind == "noise") return send(socket, std::string(5000, 'x'));
@@ -222,6 +226,8 @@ int serve(const std::string& kind) {
   for (;;) {
     auto socket = server->WaitForConnection(1000);
     if (socket.IsNull()) continue;
+    std::printf("client\n");
+    std::fflush(stdout);
     constexpr int kPause = 10;  // milliseconds
     for (int frame = 0; send_frame(socket, kind, frame); ++frame) igtl::Sleep(kPause);
     socket->CloseSocket();

@@ -42,6 +42,7 @@ QString complaint(Receiver& receiver) {
 class ReceiverTest : public QObject {
   Q_OBJECT
  private slots:
+  void PicturesOfAMomentComeAsAPair_data();
   void PicturesOfAMomentComeAsAPair();
   void GreyPicturesComeAsTheyAre();
   void ToolComesInMetres();
@@ -56,8 +57,15 @@ class ReceiverTest : public QObject {
   void AddressesWithNamesAreRead();
 };
 
+void ReceiverTest::PicturesOfAMomentComeAsAPair_data() {
+  QTest::addColumn<QString>("kind");
+  QTest::newRow("one after the other") << "good";
+  QTest::newRow("one view a frame behind") << "lagging";
+}
+
 void ReceiverTest::PicturesOfAMomentComeAsAPair() {
-  const Server server("good");
+  QFETCH(QString, kind);
+  const Server server(kind);
   Receiver receiver(server.options);
   double last = 0.0;
   for (int turn = 0; turn < 5; ++turn) {

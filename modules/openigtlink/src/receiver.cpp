@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <deque>
+#include <iterator>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -25,7 +27,34 @@ namespace {
 struct View {
   Picture picture;
   double seconds = 0.0;
-  bool is_new = false;  ///< in no pair yet
+};
+
+/// Those of one side that are in no pair yet; their times ascend. One view may come some frames behind the
+/// other.
+class Waiting {
+ public:
+  /// @return false: it is not newer than the last.
+  bool add(View view) {
+    if (!views_.empty() && view.seconds <= views_.back().seconds) return false;
+    if (views_.size() == kMost) views_.pop_front();
+    views_.push_back(std::move(view));
+    return true;
+  }
+  /// The nearest in time, which goes, and with it those before. Empty: none is within `skew` seconds.
+  std::optional<View> take(double seconds, double skew) {
+    const auto away = [seconds](const View& view) { return std::abs(view.seconds - seconds); };
+    const auto nearest = std::min_element(views_.begin(), views_.end(),
+                                          [&](const View& a, const View& b) { return away(a) < away(b); });
+    if (nearest == views_.end() || away(*nearest) > skew) return {};
+    View taken = std::move(*nearest);
+    views_.erase(views_.begin(), std::next(nearest));
+    return taken;
+  }
+  void clear() { views_.clear(); }
+
+ private:
+  static constexpr std::size_t kMost = 4;  ///< a picture may have 100 MB
+  std::deque<View> views_;
 };
 
 void require_names(std::string_view text, std::initializer_list<std::string> names, const char* form) {
@@ -88,7 +117,7 @@ struct Receiver::Impl {
 
   // Of the thread only.
   Messages messages;
-  View left, right;
+  Waiting left, right;
   double last = 0.0;  // seconds of the last pair
   std::jthread thread;
 
@@ -170,15 +199,18 @@ struct Receiver::Impl {
     if (head.type == "TRANSFORM") return take_tool(head, content);
     std::optional<Picture> picture = picture_in(content);
     // Names alone tell the views apart: one device for both would pair with itself.
-    View& view = head.device == options.left ? left : right;
+    const bool is_left = head.device == options.left;
     const double seconds = head.seconds > 0.0 ? head.seconds : now();
-    if (!picture || (view.is_new && seconds <= view.seconds)) return pass_over();
-    view = {std::move(*picture), seconds, true};
+    if (!picture || !(is_left ? left : right).add({*picture, seconds})) return pass_over();
     {
       const std::scoped_lock lock(mutex);
       has_views = true;
     }
-    make_pair();
+    const auto other = (is_left ? right : left).take(seconds, options.largest_skew);
+    if (!other) return;
+    (is_left ? left : right).clear();  // it was the newest of its side
+    View view{std::move(*picture), seconds};
+    is_left ? make_pair(view, *other) : make_pair(*other, view);
   }
 
   void take_tool(const Head& head, std::string_view content) {
@@ -196,18 +228,15 @@ struct Receiver::Impl {
     ++passed_over;
   }
 
-  void make_pair() {
-    if (!left.is_new || !right.is_new || std::abs(left.seconds - right.seconds) > options.largest_skew)
-      return;
-    left.is_new = right.is_new = false;
-    const bool is_one_size =
-        left.picture.width == right.picture.width && left.picture.height == right.picture.height;
-    if (!is_one_size || left.seconds <= last) return pass_over();
-    last = left.seconds;
+  void make_pair(const View& of_left, const View& of_right) {
+    const Picture &a = of_left.picture, &b = of_right.picture;
+    const bool is_one_size = a.width == b.width && a.height == b.height;
+    if (!is_one_size || of_left.seconds <= last) return pass_over();
+    last = of_left.seconds;
     {
       const std::scoped_lock lock(mutex);
       passed_over += pair.has_value();
-      pair = ReceivedPair{left.picture, right.picture, left.seconds};
+      pair = ReceivedPair{a, b, of_left.seconds};
       heard = Clock::now();
     }
     changed.notify_all();
