@@ -112,6 +112,8 @@ class SenderTest : public QObject {
   void LesionThatIsNotValidIsNotSent();
   void NodesOfAnotherModelAreWithdrawn();
   void SilenceWithdraws();
+  void FrameToldAgainIsNoYounger_data();
+  void FrameToldAgainIsNoYounger();
   void EndWithdraws();
   void LatePeerIsToldTheNewest();
   void SurfacesComeAtTheirRate();
@@ -244,6 +246,39 @@ void SenderTest::SilenceWithdraws() {
   QVERIFY(!wait_for_points(peer, "parenchyma", 4).isEmpty());
   QVERIFY(!peer.wait_for([](const Words& words) { return is_level(words, "withdrawn", "stale"); }).isEmpty());
   QVERIFY(!wait_for_points(peer, "parenchyma", 0).isEmpty());
+}
+
+void SenderTest::FrameToldAgainIsNoYounger_data() {
+  QTest::addColumn<bool>("corrected");
+  QTest::addColumn<bool>("withdrawn");
+  QTest::newRow("the case has changed") << false << false;
+  QTest::newRow("corrected by hand") << true << false;
+  QTest::newRow("withdrawn in between") << false << true;
+}
+
+void SenderTest::FrameToldAgainIsNoYounger() {
+  QFETCH(bool, corrected);
+  QFETCH(bool, withdrawn);
+  SenderOptions given = options();
+  given.silence = 0.2;
+  Sender sender(given);
+  PeerProcess peer = listener(sender);
+  const auto model = small_model();
+  OverlayFrame frame = frame_of(*model, 7);
+  sender.tell(model, frame);
+  QVERIFY(!peer.wait_for([](const Words& words) { return is_level(words, "withdrawn", "stale"); }).isEmpty());
+  if (withdrawn) {
+    sender.withdraw(Validity::not_started);
+    QVERIFY(
+        !peer.wait_for([](const Words& words) { return words.value(4) == "reason=not_started"; }).isEmpty());
+  }
+  if (corrected) frame.nodes_in_camera.col(0).array() += 0.007;
+  sender.tell(model, frame);
+  const Words again = peer.wait_for("STRING", "GlissonLevel");
+  QVERIFY2(is_level(again, "withdrawn", "stale"), qPrintable(again.join(' ')));
+  sender.tell(model, frame_of(*model, 8));
+  const Words next = peer.wait_for("STRING", "GlissonLevel");
+  QVERIFY2(is_level(next, "valid", "valid"), qPrintable(next.join(' ')));
 }
 
 void SenderTest::EndWithdraws() {

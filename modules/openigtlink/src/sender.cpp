@@ -28,8 +28,12 @@ double seconds_since_1970() {
 struct Said {
   std::shared_ptr<const SentModel> model;
   OverlayFrame frame;
-  Clock::time_point at = Clock::now();
+  Clock::time_point at = Clock::now();  ///< when the frame was said first
 };
+
+bool is_same_frame(const OverlayFrame& a, const OverlayFrame& b) {
+  return a.index == b.index && a.seconds == b.seconds;
+}
 
 }  // namespace
 
@@ -91,12 +95,15 @@ struct Sender::Impl {
     }
     if (taken) {
       const bool begins_anew = taken->frame.seconds < said.frame.seconds;
+      // Told again, as when it is corrected or when the case changes, a frame is no younger.
+      if (!taken->model || (epoch && is_same_frame(taken->frame, said.frame))) taken->at = said.at;
       if (!taken->model) taken->frame = withdrawn(taken->frame.validity);
       if (taken->model && (!epoch || begins_anew))
         epoch = options.epoch ? *options.epoch : seconds_since_1970() - taken->frame.seconds;
       said = std::move(*taken);
       is_composed = false;
-    } else if (said.frame.level() != Level::withdrawn && seconds_since(said.at) > options.silence) {
+    }
+    if (said.frame.level() != Level::withdrawn && seconds_since(said.at) > options.silence) {
       said.frame = withdrawn(Validity::stale);
       is_composed = false;
     }

@@ -66,7 +66,8 @@ class Sender {
   /// Where it listens; the port is the true one.
   Address address() const;
 
-  /// The newest wins: returns at once, whatever the peers do. Told again with other nodes: it is corrected.
+  /// The newest wins: returns at once, whatever the peers do. Told again (its index and time), with
+  /// other nodes or not: it is corrected, but no younger, and holds no longer than `silence` in all.
   /// @param model the same object as long as it is the same model. @pre not null.
   void tell(std::shared_ptr<const SentModel> model, OverlayFrame frame);
   /// What was told holds no longer, as when tracking ends. @pre the reason's level is `withdrawn`.
