@@ -3460,6 +3460,10 @@
         <translation>Neigen Sie das Muster um 20 bis 40 Grad, jedes Mal anders</translation>
     </message>
     <message>
+        <source>Take more views, with the board at the edges of the picture, too</source>
+        <translation>Nehmen Sie mehr Ansichten auf, auch mit dem Muster an den Rändern des Bildes</translation>
+    </message>
+    <message>
         <source>Give the left camera&apos;s pictures as the left ones</source>
         <translation>Geben Sie die Bilder der linken Kamera als die linken an</translation>
     </message>

@@ -3460,6 +3460,10 @@
         <translation>Inclinez la mire de 20 à 40 degrés, chaque fois autrement</translation>
     </message>
     <message>
+        <source>Take more views, with the board at the edges of the picture, too</source>
+        <translation>Prenez plus de vues, aussi avec la mire aux bords de l’image</translation>
+    </message>
+    <message>
         <source>Give the left camera&apos;s pictures as the left ones</source>
         <translation>Donnez les images de la caméra gauche comme images gauches</translation>
     </message>

@@ -101,6 +101,19 @@ class CalibrateTest : public QObject {
     for (const ViewReport& view : found.views) QVERIFY(view.epipolar_left_out < view.epipolar_reference);
   }
 
+  /// What is written must be read again.
+  void CamerasThatNoFileMayHoldAreRefused() {
+    StereoRig rig = rendered::rig();
+    rig.right.distortion << 0.0, 0.0, 0.02, 0.02, 0.0;
+    const Board board = small_board();
+    const BoardViews views = views_of(rig, board, rendered::board_poses(board, 0.12));
+    const std::string said = complaint([&] { (void)calibrate(views, {}, RunContext()); });
+    QVERIFY2(said.find("right camera") != std::string::npos &&
+                 said.find("tangential terms") != std::string::npos &&
+                 said.find("Take more views") != std::string::npos,
+             said.c_str());
+  }
+
   void UnusableOptionsAreNamed() {
     const auto refused = [](const std::function<void(CalibrateOptions&)>& change) {
       CalibrateOptions options;

@@ -218,6 +218,22 @@ double slant(const std::vector<Eigen::Vector3d>& normals) {
   return std::acos(std::max(-1.0, least));
 }
 
+/// What a file of these cameras would be refused for. Empty: nothing.
+std::optional<InputError> no_lens(const StereoRig& rig) {
+  const auto check = [](const char* name, const Camera& camera) {
+    check_camera("board", name, camera);
+    check_distortion("board", name, camera);
+  };
+  try {
+    check("left camera", rig.left);
+    check("right camera", rig.right);
+    return std::nullopt;
+  } catch (const InputError& failure) {
+    return InputError(failure.file(), failure.field(), failure.problem(),
+                      "Take more views, with the board at the edges of the picture, too");
+  }
+}
+
 /// What is wrong with the cameras that were found. Empty: nothing.
 std::optional<InputError> complaint_about(const Calibration& result,
                                           const std::vector<Eigen::Vector3d>& normals, double square) {
@@ -241,7 +257,7 @@ std::optional<InputError> complaint_about(const Calibration& result,
                       "of " + number_text(1e3 * square) + " mm gives a baseline of " +
                           number_text(1e3 * baseline) + " mm, where a stereo laparoscope has 1 to 30 mm",
                       "Measure the side of a square");
-  return std::nullopt;
+  return no_lens(result.rig);
 }
 
 /// Share of the picture that lies within a board's outline in any view.

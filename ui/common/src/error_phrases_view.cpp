@@ -189,6 +189,7 @@ const std::vector<const char*>& view_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Take sharp pictures of the whole board, with a white border around it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Tilt the board by 20 to 40 degrees, each time another way"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Take more views, with the board at the edges of the picture, too"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give the left camera's pictures as the left ones"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Measure the side of a square"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Name views as the report does"),

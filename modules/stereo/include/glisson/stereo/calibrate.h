@@ -56,7 +56,7 @@ struct Calibration {
 /// unknowns jointly by Levenberg-Marquardt (OpenCV's stereoCalibrate, intrinsics free).
 /// @throws InputError options; fewer than 3 views with a board (a wrong board size is recognised) or without
 ///   those left out; left and right swapped; a baseline that no laparoscope has (the squares' size is wrong);
-///   all views parallel.
+///   all views parallel; cameras that read_calibration() would refuse.
 Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptions& options,
                                    const RunContext& context);
 
