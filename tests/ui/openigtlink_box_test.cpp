@@ -10,6 +10,7 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/stop_tracking.h"
+#include "glisson/engine/parts/live.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/openigtlink_box.h"
 #include "live_part.h"
@@ -24,6 +25,7 @@ class OpenIgtLinkBoxTest : public QObject {
   void cleanup();
   void ItIsOffAndAtThisComputer();
   void WhatIsTrackedIsTold();
+  void AnOldFrameIsNotToldAsValid();
   void SwitchedOffItClosesAndWithdraws();
   void WhatCannotBeListenedAtIsSaid();
   void OtherComputersAreWarnedOf();
@@ -117,6 +119,22 @@ void OpenIgtLinkBoxTest::WhatIsTrackedIsTold() {
   QVERIFY(!wait(peer, [](const Words& words) {
              return words.value(0) == "POLYDATA" && words.value(3) == "0" && words.value(1) == "parenchyma";
            }).isEmpty());
+}
+
+void OpenIgtLinkBoxTest::AnOldFrameIsNotToldAsValid() {
+  track();
+  QTRY_VERIFY(engine_->state()[part::live] &&
+              engine_->state()[part::live]->overlay.validity == Validity::valid);
+  live_->playback.pause(true);
+  // Frames that were on their way have come when nothing has changed for a while.
+  for (int last = -1; last != engine_->state()[part::live]->overlay.index; QTest::qWait(300))
+    last = engine_->state()[part::live]->overlay.index;
+  switch_on("127.0.0.1:0");
+  PeerProcess peer({"listen", port()});
+  const Words first = wait(peer, [](const Words& words) { return words.value(0) == "STRING"; });
+  QVERIFY2(first.value(4) == "reason=stale", qPrintable(first.join(' ')));
+  live_->playback.pause(false);
+  QVERIFY(!wait(peer, [](const Words& words) { return words.value(4) == "reason=valid"; }).isEmpty());
 }
 
 void OpenIgtLinkBoxTest::SwitchedOffItClosesAndWithdraws() {

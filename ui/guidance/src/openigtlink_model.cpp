@@ -7,6 +7,15 @@
 #include "glisson/ui/scene/sent_model.h"
 
 namespace glisson::ui {
+namespace {
+
+std::optional<std::pair<int, double>> frame_of(const engine::CaseState& state) {
+  const auto& live = state[part::live];
+  if (!live) return {};
+  return std::pair(live->overlay.index, live->overlay.seconds);
+}
+
+}  // namespace
 
 OpenIgtLinkModel::OpenIgtLinkModel(EngineBridge& engine, DrawableSource& drawables, QObject* parent)
     : QObject(parent), engine_(engine), drawables_(drawables) {
@@ -31,6 +40,7 @@ void OpenIgtLinkModel::switch_on(const QString& wanted) {
   address = QString::fromStdString(sender_->address().text());
   is_on = true;
   is_withdrawn_ = true;
+  old_ = frame_of(engine_.state());
   state_.start(kLook);
   read_drawable();
   tell_state();
@@ -59,7 +69,8 @@ void OpenIgtLinkModel::read_live() {
     return;
   }
   OverlayFrame overlay = now.state[part::live]->overlay;
-  if (now.stage(part::live) == engine::StageState::stale) overlay.validity = Validity::stale;
+  if (old_ != frame_of(now.state)) old_.reset();
+  if (old_ || now.stage(part::live) == engine::StageState::stale) overlay.validity = Validity::stale;
   is_withdrawn_ = false;
   sender_->tell(sent_, std::move(overlay));
 }

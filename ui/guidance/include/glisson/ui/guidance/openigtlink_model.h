@@ -5,6 +5,8 @@
 #include <QProperty>
 #include <QTimer>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "glisson/openigtlink/sender.h"
 #include "glisson/ui/common/drawable_source.h"
@@ -42,6 +44,9 @@ class OpenIgtLinkModel : public QObject {
   std::unique_ptr<openigtlink::Sender> sender_;
   std::shared_ptr<const openigtlink::SentModel> sent_;
   bool is_withdrawn_ = true;
+  /// Index and time of the frame that was there when it was switched on, until another comes: nobody knows
+  /// how old it is.
+  std::optional<std::pair<int, double>> old_;
   QTimer state_;
 };
 
