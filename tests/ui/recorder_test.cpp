@@ -21,9 +21,9 @@ namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
 
-Picture grey(int light) {
-  return {kWidth, kHeight, 3,
-          std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(3 * kWidth * kHeight),
+Picture grey(int light, int channels = 3) {
+  return {kWidth, kHeight, channels,
+          std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(channels * kWidth * kHeight),
                                                       static_cast<std::uint8_t>(light))};
 }
 
@@ -80,6 +80,8 @@ class RecorderTest : public QObject {
  private slots:
   void OverlayRawAndBoth_data();
   void OverlayRawAndBoth();
+  void GreyViewsAreRecordedAsTheyCome_data();
+  void GreyViewsAreRecordedAsTheyCome();
   void EachPicturesLineDrawsItAgain();
   void NobodyWaitsForTheWritingAndWhatIsLeftOutIsCounted();
   void AFullDiskIsSaidAtOnceAndWhatWasRecordedPlays();
@@ -123,6 +125,35 @@ void RecorderTest::OverlayRawAndBoth() {
   };
   check(at(file.c_str()), is_raw);
   if (raw_beside) check(Recorder::raw_path(at(file.c_str())), true);
+}
+
+void RecorderTest::GreyViewsAreRecordedAsTheyCome_data() {
+  QTest::addColumn<int>("left");
+  QTest::addColumn<int>("right");
+  QTest::newRow("both") << 1 << 1;
+  QTest::newRow("left") << 1 << 3;
+  QTest::newRow("right") << 3 << 1;
+}
+
+void RecorderTest::GreyViewsAreRecordedAsTheyCome() {
+  QFETCH(int, left);
+  QFETCH(int, right);
+  const std::string file = std::string("grey_") + QTest::currentDataTag() + ".mkv";
+  Heard heard;
+  {
+    Recorder recorder(options(file.c_str(), Recorded::raw), heard.listener());
+    ui::RecordedFrame shown = frame(0);
+    shown.left = grey(60, left);
+    shown.right = grey(120, right);
+    recorder.add(shown);
+  }
+  const ui::RecordingEnd end = heard.ended.get_future().get();
+  QVERIFY2(end.error.isEmpty() && end.frames == 1, qPrintable(end.error));
+  stereo::StereoVideo video(at(file.c_str()));
+  StereoFrame read;
+  QVERIFY(video.read(read));
+  QCOMPARE(video.width(), kWidth);
+  QVERIFY(std::abs(light_of(read.left) - 60) < 6 && std::abs(light_of(read.right) - 120) < 6);
 }
 
 void RecorderTest::EachPicturesLineDrawsItAgain() {

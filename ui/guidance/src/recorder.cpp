@@ -17,17 +17,22 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 8;  ///< pictures; a quarter of a second
 
-/// Both views in one picture, the left one on the left.
+/// Both views in one picture, the left one on the left; in colour if one of them is.
 Picture side_by_side(const Picture& left, const Picture& right) {
-  const auto row = static_cast<std::ptrdiff_t>(left.channels) * left.width;
+  const int channels = std::max(left.channels, right.channels);
   auto bytes = std::make_shared<std::vector<std::uint8_t>>();
-  bytes->reserve(2 * left.bytes->size());
+  bytes->reserve(static_cast<std::size_t>(channels) * 2 * static_cast<std::size_t>(left.width) *
+                 static_cast<std::size_t>(left.height));
   for (int v = 0; v < left.height; ++v)
     for (const Picture* view : {&left, &right}) {
+      const auto row = static_cast<std::ptrdiff_t>(view->channels) * view->width;
       const auto begin = view->bytes->begin() + v * row;
-      bytes->insert(bytes->end(), begin, begin + row);
+      if (view->channels == channels)
+        bytes->insert(bytes->end(), begin, begin + row);
+      else
+        std::for_each(begin, begin + row, [&](std::uint8_t grey) { bytes->insert(bytes->end(), 3, grey); });
     }
-  return {2 * left.width, left.height, left.channels, std::move(bytes)};
+  return {2 * left.width, left.height, channels, std::move(bytes)};
 }
 
 }  // namespace

@@ -55,8 +55,9 @@ class StereoVideo {
 
 /// Writes a video (mp4v in .mkv: a killed file keeps nearly all frames). close() flushes, reads back the
 /// number of frames and renames; without close() nothing remains.
-/// @pre even width and height; pictures of that size, three channels. @throws InputError another extension
-/// than .mkv, FileError.
+/// Its codec takes even widths and heights only: the last column or row of an odd one is written twice.
+/// @pre pictures of one size, one channel or three. @throws InputError another extension than .mkv,
+/// FileError.
 class VideoWriter {
  public:
   VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second);
