@@ -363,16 +363,6 @@ QString fault_text(stereo::Fault fault) {
 
 }  // namespace
 
-namespace {
-
-/// How the pictures were cut out of those that the scope was calibrated on.
-std::optional<stereo::Cut> cut_of(const Arguments& arguments, const stereo::StereoVideo& video) {
-  if (arguments.has("video-right")) return {};
-  return stereo::cut_of(arguments.path("video"), video.width(), video.height());
-}
-
-}  // namespace
-
 int run_check(const QStringList& given) {
   Arguments arguments(
       "check",
@@ -389,7 +379,7 @@ int run_check(const QStringList& given) {
   std::optional<StereoRig> rig;
   if (arguments.has("calibration"))
     rig = stereo::read_calibration_for(arguments.path("calibration"), video.width(), video.height(),
-                                       cut_of(arguments, video));
+                                       video.cut());
   stereo::VideoCheckOptions options;
   options.every = arguments.integer("every", 1, 100000);
   const auto tell = [](const stereo::FrameFault& fault) {

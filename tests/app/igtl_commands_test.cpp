@@ -13,6 +13,7 @@
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/patient/labelled_cloud.h"
+#include "glisson/stereo/calibration_io.h"
 #include "program.h"
 
 using namespace glisson;
@@ -47,6 +48,7 @@ class IgtlCommandsTest : public QObject, private test::Program {
   void TrackTellsAPeerWhatItWrites();
   void WithoutTheOptionNothingListens();
   void WhatCannotBeListenedAtIsRefused();
+  void CheckOpensALiveSourceOnce();
 
  private:
   /// A bent ball in clouds 3 to 5, and the words that follow them.
@@ -114,6 +116,27 @@ void IgtlCommandsTest::WhatCannotBeListenedAtIsRefused() {
   refused(words + QStringList{"--igtl-send", "plus.example.org:18944"}, "numeric address");
   refused(words + QStringList{"--igtl-send", "192.0.2.1:18944"}, "192.0.2.1");  // of no computer
   refused(words + QStringList{"--igtl-wait"}, "--igtl-send", 2);
+}
+
+/// A camera can be opened by one program, once.
+void IgtlCommandsTest::CheckOpensALiveSourceOnce() {
+  PeerProcess server({"serve", "brief"});
+  const QString port = server.wait_for([](const Words& words) { return words.value(0) == "port"; }).value(1);
+  const std::string source = "igtl:127.0.0.1:" + port.toStdString() + "/Left,Right";
+  std::filesystem::create_directories(state());
+  test::write_text(state() / "known_sources", source + "\n");
+  test::write_text(at("cut.json"), R"({"left": ")" + source + R"(", "crop": [2, 2, 60, 44]})");
+  StereoRig rig;
+  rig.left.width = 64, rig.left.height = 48;
+  rig.left.matrix << 60, 0, 32, 0, 60, 24, 0, 0, 1;
+  rig.right = rig.left;
+  rig.right_from_left.translation = {-0.005, 0.0, 0.0};
+  stereo::write_calibration(at("c.yaml"), rig);
+  const test::Ran ran = run({"check", "--video", "cut.json", "--calibration", "c.yaml"});
+  QVERIFY2(ran.out.contains("frames "), qPrintable(ran.error + ran.out));
+  int clients = 0;
+  while (!server.look_for([](const Words& words) { return words.value(0) == "client"; }).isEmpty()) ++clients;
+  QCOMPARE(clients, 1);
 }
 
 QTEST_GUILESS_MAIN(IgtlCommandsTest)

@@ -161,11 +161,11 @@ void write_source(const fs::path& path, const SourceOptions& options) {
 std::optional<Cut> cut_of(const fs::path& video, int width, int height) {
   if (video.extension() != ".json") return {};
   const SourceOptions source = read_entered_source(video);
-  if (!source.crop.any()) return {};
+  if (!source.crop.any()) return {};  // not opened for nothing
   const StereoVideo views(source);
   const bool known = width > 0 && height > 0;
   if (known && (width != views.width() || height != views.height())) return {};
-  return Cut{views.whole_width(), views.whole_height(), source.crop};
+  return views.cut();
 }
 
 StereoRig cropped(const StereoRig& rig, const Crop& crop) {

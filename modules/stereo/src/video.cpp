@@ -156,6 +156,10 @@ int StereoVideo::width() const { return impl_->part.width; }
 int StereoVideo::height() const { return impl_->part.height; }
 int StereoVideo::whole_width() const { return impl_->views->width; }
 int StereoVideo::whole_height() const { return impl_->views->height; }
+std::optional<Cut> StereoVideo::cut() const {
+  if (!impl_->options.crop.any()) return {};
+  return Cut{whole_width(), whole_height(), impl_->options.crop};
+}
 double StereoVideo::frames_per_second() const { return impl_->views->rate; }
 int StereoVideo::frame_count() const { return impl_->views->frames; }
 int StereoVideo::skipped() const { return impl_->views->skipped; }

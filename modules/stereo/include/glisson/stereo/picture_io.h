@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "glisson/core/run_context.h"
 #include "glisson/patient/picture.h"
@@ -36,6 +37,8 @@ class StereoVideo {
   int height() const;
   int whole_width() const;  ///< of one view before it is cropped
   int whole_height() const;
+  /// How its views are cut; empty: they are not.
+  std::optional<Cut> cut() const;
   double frames_per_second() const;
   /// As the container says; may be more than can be read; 0: it does not say.
   int frame_count() const;
