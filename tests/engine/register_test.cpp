@@ -114,7 +114,11 @@ void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
   QVERIFY(registration::is_refused(*done[part::registration]));
   QVERIFY(done[part::registration]->looks.empty());
   QVERIFY(done[part::registration]->doubts.size() > 1);
-  const CaseState accepted = apply(done, AcceptRegistration{}, RunContext()).value().state;
+  const Applied applied = apply(done, AcceptRegistration{}, RunContext()).value();
+  const CaseState& accepted = applied.state;
+  QCOMPARE(applied.figures.at("registration_refused"), 0.0);
+  QCOMPARE(applied.figures.at("registration_doubts"),
+           static_cast<double>(done[part::registration]->doubts.size()));
   QVERIFY(!registration::is_refused(*accepted[part::registration]));
   QCOMPARE(accepted[part::registration]->doubts.size(), done[part::registration]->doubts.size());
 }

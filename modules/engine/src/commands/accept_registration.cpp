@@ -6,6 +6,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/refusal.h"
+#include "registration_figures.h"
 #include "seen.h"
 
 namespace glisson::engine {
@@ -25,6 +26,7 @@ Cancellable<Applied> AcceptRegistration::apply(const CaseState& state, const Run
   Registration accepted = *state[part::registration];
   registration::accept_refusal(accepted);
   applied.notes = accepted.doubts;
+  applied.figures = figures_of(accepted);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(accepted));
   return applied;
 }
