@@ -45,6 +45,8 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
   for (const char* name : {"case", "model", "mesh", "surfaces", "labels", "roots"})
     session.call(name, argument.path.string());
   const engine::ModelSource kind = engine::model_source(argument.path);
+  if (kind == engine::ModelSource::a_case || kind == engine::ModelSource::tetrahedra)
+    arguments.refuse_idle(QStringLiteral("--model ") + arguments.value("model"), {"vertices"});
   if (kind == engine::ModelSource::a_case) {
     session.post(engine::OpenCase{argument.path, engine::OpenCase::Access::read});
     session.need({part::model});

@@ -81,6 +81,7 @@ void refuse_idle_options(const Arguments& arguments) {
     throw UsageError(Cli::tr("--%1: needs labels. Give --%2 FILE.").arg("codes", "labels").toStdString());
   if (arguments.has("labels") && arguments.has("surfaces"))
     throw UsageError(Cli::tr("--%1, --%2: give one of them.").arg("labels", "surfaces").toStdString());
+  if (arguments.has("edge")) arguments.refuse_idle(QStringLiteral("--edge"), {"vertices"});
 }
 
 model::ModelOptions options_of(const Arguments& arguments) {

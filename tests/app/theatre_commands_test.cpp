@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A model in the theatre on the command line: register, track, simulate.
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <cmath>
@@ -184,14 +185,24 @@ void TheatreCommandsTest::ARefusedRegistrationWritesNothingUnlessItIsAccepted() 
   for (Eigen::Index i = 0; i < cloud.points.size(); ++i)
     cloud.points.data()[i] += 12e-3 * standard_normal(random);
   write_cloud(at("noisy.ply"), cloud);
+  refused({"register", "--model", "m.vtu", "--vertices", "300", "--cloud", "noisy.ply", "--out", "r.vtu"},
+          "--vertices", 2);
+  refused({"model", "--surfaces", "s", "--edge", "12", "--vertices", "900", "--case", "a.glisson"},
+          "--vertices", 2);
   const QStringList command = {"register", "--model", "m.vtu", "--cloud",    "noisy.ply",
                                "--rigid",  "none",    "--out", "refused.vtu"};
   const Ran ran = run(command);
   QCOMPARE(ran.code, 3);
   QVERIFY(!fs::exists(at("refused.vtu")));
   QVERIFY2(ran.out.contains("--accept-doubts"), qPrintable(ran.out));
-  const Ran accepted = run(command + QStringList{"--accept-doubts"});
+  const Ran accepted = run(command + QStringList{"--accept-doubts", "--json", "accepted.json"});
   QVERIFY2(accepted.code == 0, qPrintable(accepted.error));
+  const QJsonObject json = figures("accepted.json");
+  QCOMPARE(json["registration_ended"].toString(), QString("converged"));
+  QCOMPARE(json["registration_refused"].toDouble(), 0.0);
+  QStringList notes = accepted.out.split('\n').filter(QRegularExpression("^note: "));
+  QVERIFY(!notes.isEmpty());
+  QCOMPARE(notes.removeDuplicates(), qsizetype{0});
   // So much noise turns elements inside out.
   QVERIFY(tetrahedron_volumes(read_tet_mesh(at("refused.vtu"), LengthUnit::millimetre, MeshShape::deformed))
               .minCoeff() < 0.0);
