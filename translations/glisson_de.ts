@@ -3164,6 +3164,10 @@
         <translation>verschiebt Pixel durch die tangentialen Glieder p1 p2 um bis zu %1 px und durch die radialen um %2 px, was keine Linse tut</translation>
     </message>
     <message>
+        <source>gives too few points: what both views show lies %1 pixels from its epipolar lines, and is looked for within %2</source>
+        <translation>ergibt zu wenige Punkte: was beide Ansichten zeigen, liegt %1 Pixel neben seinen Epipolarlinien und wird bis %2 gesucht</translation>
+    </message>
+    <message>
         <source>Write rows as columns, in R too; MATLAB counts pixels from 1: take 1 off cx and cy</source>
         <translation>Zeilen als Spalten schreiben, auch in R; MATLAB zählt Pixel ab 1: von cx und cy 1 abziehen</translation>
     </message>

@@ -3164,6 +3164,10 @@
         <translation>déplace des pixels de jusqu&apos;à %1 px par ses termes tangentiels p1 p2 et de %2 px par ses termes radiaux, ce que ne fait aucune lentille</translation>
     </message>
     <message>
+        <source>gives too few points: what both views show lies %1 pixels from its epipolar lines, and is looked for within %2</source>
+        <translation>donne trop peu de points : ce que montrent les deux vues est à %1 pixels de ses lignes épipolaires et n’est cherché que jusqu’à %2</translation>
+    </message>
+    <message>
         <source>Write rows as columns, in R too; MATLAB counts pixels from 1: take 1 off cx and cy</source>
         <translation>Écrivez les lignes en colonnes, dans R aussi ; MATLAB compte les pixels à partir de 1 : ôtez 1 à cx et cy</translation>
     </message>

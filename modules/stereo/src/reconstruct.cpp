@@ -26,7 +26,6 @@ namespace {
 constexpr int kFewestPoints = 10;
 constexpr double kLargestSigma = 0.5;  // pixels: less certain matches carry no depth
 constexpr double kSamePoint = 2.0;     // pixels
-constexpr double kBandRows = 2.0;      // of epipolar_px, before refinement
 
 void check_inputs(const Picture& left, const Picture& right, const StereoRig& rig, const Picture& mask) {
   const auto check = [&](const char* name, const Picture& picture, const Camera& camera) {
@@ -104,7 +103,7 @@ Pair prepare(const Picture& left, const Picture& right, const StereoRig& rig, co
   }
   if (!mask.empty()) pair.usable_right &= band_in_right(pair, options);
   pair.limits.ratio = options.ratio;
-  pair.limits.rows = kBandRows * options.epipolar_px;
+  pair.limits.rows = band_rows(options);
   pair.limits.least_disparity = pair.rectification.disparity_at(options.far);
   pair.limits.largest_disparity = pair.rectification.disparity_at(options.near);
   return pair;
@@ -226,7 +225,9 @@ struct Candidate {
   Eigen::Vector3d point;
 };
 
-std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& matches,
+/// @param row by how much right rows exceed left ones. Nobody knows which camera's calibration is off: each
+/// view gives half, so that a point lies in the middle of its two rows.
+std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& matches, double row,
                                     const ReconstructOptions& options) {
   const Rectification& rectification = pair.rectification;
   const std::vector<bool> agrees = agreeing(rectification, matches);
@@ -234,10 +235,12 @@ std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& 
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!agrees[i]) continue;
     Candidate c{matches[i], {}, {}};
-    const auto left = rectification.unrectify(Side::left, c.match.left);
-    const auto right = rectification.unrectify(Side::right, c.match.right);
-    if (!left || !right) continue;
-    c.pixel = *left;
+    const Eigen::Vector2d half(0.0, 0.5 * row);
+    const auto seen = rectification.unrectify(Side::left, c.match.left);
+    const auto left = rectification.unrectify(Side::left, c.match.left + half);
+    const auto right = rectification.unrectify(Side::right, c.match.right - half);
+    if (!seen || !left || !right) continue;
+    c.pixel = *seen;
     const double d = rectification.disparity(c.match.left, c.match.right);
     c.point = rectification.triangulate(c.match.left, c.match.right.y(), d);
     const Eigen::Vector3d in_right = (pair.rig.right_from_left * Point<CameraFrame>(c.point)).xyz;
@@ -325,6 +328,8 @@ Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candida
 
 }  // namespace
 
+double band_rows(const ReconstructOptions& options) { return 2.0 * options.epipolar_px; }
+
 void ReconstructOptions::validate() const {
   require(features >= 10 && features <= 100000, "features is from 10 to 100000");
   require(ratio > 0.0 && ratio <= 1.0, "ratio is in (0, 1]");
@@ -361,7 +366,7 @@ Cancellable<Reconstructed> reconstruct_whole(const Picture& left, const Picture&
         refined(pair, refiner, matches, report.row_offset_px, options, context);
     if (context.cancelled()) return;
     context.progress(0.8, "stereo.surface");
-    const std::vector<Candidate> candidates = triangulated(pair, precise, options);
+    const std::vector<Candidate> candidates = triangulated(pair, precise, report.row_offset_px, options);
     report.points = static_cast<int>(candidates.size());
     if (report.points >= kFewestPoints)
       result = assemble(pair, refiner.reach(), candidates, mask, options, report);
@@ -381,7 +386,7 @@ Cancellable<Reconstructed> reconstruct_whole(const Picture& left, const Picture&
   }
   if (context.cancelled()) return std::nullopt;
   if (!result)
-    throw InputError("stereo pair", "",
+    throw InputError(kPair, "",
                      "gives " + std::to_string(report.points) + " points (" +
                          std::to_string(report.features_left) + " and " +
                          std::to_string(report.features_right) + " features, " +

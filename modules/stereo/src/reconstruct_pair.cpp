@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "rig_check.h"
 #include "whole_pair.h"
 
 namespace glisson::stereo {
@@ -36,14 +37,26 @@ Cancellable<Whole> whole_of(const PairInput& input, const ReconstructOptions& op
   return std::make_shared<const Reconstructed>(std::move(*made));
 }
 
+/// @throws InputError rows that lie too far from the calibration's for matches to be found, and not far
+/// enough for it to be another scope's.
+void require_rows(const PairCheck& check, const ReconstructOptions& options) {
+  const double within = band_rows(options);
+  if (check.rows_px <= within) return;
+  throw InputError(kPair, "",
+                   "gives too few points: what both views show lies " + number_text(check.rows_px) +
+                       " pixels from its epipolar lines, and is looked for within " + number_text(within),
+                   "Load this laparoscope's calibration, or calibrate it again");
+}
+
 /// Reconstructs as asked for. If that fails and the pair itself has a fault, the fault is thrown instead: it
 /// says more.
 Cancellable<Whole> asked_whole(const PairInput& input, const ReconstructOptions& options,
                                const KnownPoints& known, Look& look, const RunContext& context) {
   try {
     return whole_of(input, options, known, context);
-  } catch (const InputError&) {
+  } catch (const InputError& failure) {
     require_sound(look.check());
+    if (failure.file() == kPair) require_rows(look.check(), options);
     throw;
   }
 }

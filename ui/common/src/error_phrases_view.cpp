@@ -96,6 +96,9 @@ const std::vector<const char*>& view_problems() {
           "ErrorPhrases",
           "moves pixels by up to %1 px by its tangential terms p1 p2, and by %2 px by its radial "
           "ones, which no lens does"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "gives too few points: what both views show lies %1 pixels from its epipolar "
+                        "lines, and is looked for within %2"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "leaves nothing of the picture"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "the picture could not be encoded"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "a library of Glisson is missing or cannot be loaded"),
