@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guidance panel tells while the organ is followed, and of the last picture when it ends.
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -35,6 +36,7 @@ class GuidanceLiveTest : public QObject, protected GuidanceWindow {
   void TheTableTellsOfEachLesion();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
   void OverTheLastPictureKeysTakeNoRegistrationBack();
+  void OverTheLastPictureAHandSeesWhatItPlaces();
   void InAPauseTheOverlayGoesWithItsRegistration();
 };
 
@@ -199,6 +201,45 @@ void GuidanceLiveTest::OverTheLastPictureKeysTakeNoRegistrationBack() {
   undo->click();
   QTRY_VERIFY(window_->engine().state()[part::registration] != before);
   QTRY_VERIFY(do_keys_undo());  // the last picture has gone with its registration
+}
+
+void GuidanceLiveTest::OverTheLastPictureAHandSeesWhatItPlaces() {
+  operation_->rival_away = 0.02;
+  reach_registration(12);
+  press("start_tracking");
+  const auto says = [this](const char* words) { return said().contains(QLatin1String(words)); };
+  QTRY_VERIFY_WITH_TIMEOUT(says("Last picture, not live") && !is_tracking(), 20000);
+  QVERIFY(rests());
+  const auto shows_registered = [this] {
+    return panel().live().on_screen().raw.bytes == window_->engine().state()[part::frame]->frame.left.bytes;
+  };
+  QVERIFY(!shows_registered());
+  auto* hold = panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"));
+  auto* choice = panel().findChild<QComboBox*>(QStringLiteral("rival"));
+  const auto compare = [choice](int index) {
+    choice->setCurrentIndex(index);
+    emit choice->activated(index);
+  };
+  // Over the frame that the registration belongs to; then the last picture is back.
+  hold->click();
+  QTRY_VERIFY_WITH_TIMEOUT(says("Placed by hand") && !says("Last picture"), 20000);
+  QVERIFY(shows_registered() && panel().live().on_screen().overlay.validity == Validity::proposed);
+  hold->click();
+  QTRY_VERIFY_WITH_TIMEOUT(says("Last picture, not live") && !shows_registered(), 20000);
+  compare(1);
+  QTRY_VERIFY_WITH_TIMEOUT(says("Other place 1") && shows_registered(), 20000);
+  compare(0);
+  QTRY_VERIFY_WITH_TIMEOUT(says("Last picture, not live") && !shows_registered(), 20000);
+  // Nor does a former frame stay in its way.
+  auto* view = const_cast<ui::LivePicture*>(&live_view().picture());
+  QTest::keyClick(view, Qt::Key_Left);
+  QTRY_VERIFY_WITH_TIMEOUT(says("Looked at again"), 20000);
+  hold->click();
+  QTRY_VERIFY_WITH_TIMEOUT(says("Placed by hand") && shows_registered(), 20000);
+  QTest::keyClick(view, Qt::Key_Home);
+  QTRY_VERIFY_WITH_TIMEOUT(says("Looked at again") && !shows_registered(), 20000);
+  QTest::keyClick(view, Qt::Key_End);
+  QTRY_VERIFY_WITH_TIMEOUT(says("Placed by hand") && shows_registered(), 20000);
 }
 
 void GuidanceLiveTest::InAPauseTheOverlayGoesWithItsRegistration() {

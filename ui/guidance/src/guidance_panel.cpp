@@ -65,24 +65,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   others->addWidget(new ToolBox(tool_, this));
   watch(part::registration);
 
-  auto* picture = view_->findChild<LivePicture*>();
-  connect(picture, &LivePicture::dragged, &placing_, [this](const auto& from, const auto& to, auto keys) {
-    placing_.drag(from, to,
-                  keys.testFlag(Qt::ShiftModifier)     ? PlacingModel::Move::turn
-                  : keys.testFlag(Qt::ControlModifier) ? PlacingModel::Move::roll
-                                                       : PlacingModel::Move::along);
-  });
-  connect(picture, &LivePicture::wheeled, &placing_, &PlacingModel::bring_nearer);
-  connect(&placing_, &PlacingModel::moved, this, &GuidancePanel::show_proposed);
-  couplings_.add(placing_.is_placing, [this, picture](bool is) {
-    if (is) moments_.go_live();  // hands move what is drawn
-    picture->set_placing(is && moments_.shown == 0);
-    if (is) view_->show_picture();
-  });
-  couplings_.add(moments_.shown, [this, picture](int number) {
-    picture->set_placing(placing_.is_placing && number == 0);
-    if (number != 0) view_->show_picture();
-  });
+  join_hands();
   couplings_.add(correction_.is_correcting, [this](bool is) { live_.show_refuted(is); });
   couplings_.add(registration_.method, [this](registration::Method method) { again_.set_method(method); });
   for (QWidget* place : {static_cast<QWidget*>(this), static_cast<QWidget*>(view_.data())}) {
@@ -98,7 +81,41 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
     couplings_.add(playback_.is_tracking, enable);
     couplings_.add(playback_.is_frozen, enable);
   }
-  couplings_.add(registration_.shown_rival, [this](int) { show_proposed(); });
+  couplings_.add(registration_.shown_rival, [this](int rival) {
+    if (rival >= 0 && !playback_.is_tracking) leave_former();
+    show_proposed();
+  });
+}
+
+void GuidancePanel::join_hands() {
+  auto* picture = view_->findChild<LivePicture*>();
+  connect(picture, &LivePicture::dragged, &placing_, [this](const auto& from, const auto& to, auto keys) {
+    placing_.drag(from, to,
+                  keys.testFlag(Qt::ShiftModifier)     ? PlacingModel::Move::turn
+                  : keys.testFlag(Qt::ControlModifier) ? PlacingModel::Move::roll
+                                                       : PlacingModel::Move::along);
+  });
+  connect(picture, &LivePicture::wheeled, &placing_, &PlacingModel::bring_nearer);
+  connect(&placing_, &PlacingModel::moved, this, &GuidancePanel::show_proposed);
+  couplings_.add(placing_.is_placing, [this, picture](bool is) {
+    if (is) leave_former();  // hands move what is drawn
+    picture->set_placing(can_drag());
+    if (is) view_->show_picture();
+  });
+  couplings_.add(moments_.shown, [this, picture](int number) {
+    picture->set_placing(can_drag());
+    if (number != 0) view_->show_picture();
+  });
+  couplings_.add(review_.is_reviewing, [this, picture](bool) { picture->set_placing(can_drag()); });
+}
+
+void GuidancePanel::leave_former() {
+  review_.go_live();
+  moments_.go_live();
+}
+
+bool GuidancePanel::can_drag() const {
+  return placing_.is_placing && moments_.shown == 0 && !review_.is_reviewing;
 }
 
 void GuidancePanel::show_proposed() {

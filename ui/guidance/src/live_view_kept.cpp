@@ -13,7 +13,7 @@ void LiveViewModel::show_kept(std::optional<Kept> kept) {
   if (!kept) {
     drop_kept();
     // Nothing has been followed yet that could take its place.
-    if ((playback_.is_tracking || playback_.is_frozen) && !live_job_) put_away();
+    if ((playback_.is_tracking || shows_last_picture()) && !live_job_) put_away();
     return show_present();
   }
   ++generation_;

@@ -105,7 +105,7 @@ void LiveViewModel::read_case() {
   }
   const bool tracking = playback_.is_tracking;
   // What is still being painted is not live, or of the case as it was, or of another one.
-  const bool is_still = !tracking && !playback_.is_frozen;
+  const bool is_still = !tracking && !shows_last_picture();
   const bool begins = tracking && !was_tracking_;
   if (begins || is_still) ++generation_;
   if (begins) live_job_.reset();  // of a former playing
@@ -118,6 +118,10 @@ void LiveViewModel::read_case() {
   // Where no frame comes, as in a pause, nothing else would take the overlay away.
   const bool was_stale = std::exchange(is_stale_, tracking && live_job_ && is_live_stale());
   if (is_stale_ && !was_stale) show_live();
+}
+
+bool LiveViewModel::shows_proposed() const {
+  return proposed_ && !playback_.is_tracking && !review_.is_reviewing;
 }
 
 bool LiveViewModel::is_live_stale() const {
@@ -163,7 +167,7 @@ void LiveViewModel::tell_times() {
 
 void LiveViewModel::redraw() {
   if (kept_) return draw_kept();
-  const bool is_standing = review_.is_reviewing || playback_.is_frozen || playback_.is_paused;
+  const bool is_standing = review_.is_reviewing || shows_last_picture() || playback_.is_paused;
   if (!is_standing) {
     if (!engine_.snapshot()->tracking) show_registered();
     return;
@@ -211,7 +215,8 @@ void LiveViewModel::show_registered() {
 void LiveViewModel::propose(std::optional<Proposed> proposed) {
   if (!proposed && !proposed_) return;
   proposed_ = std::move(proposed);
-  if (!playback_.is_tracking && !playback_.is_frozen && !review_.is_reviewing && !kept_) show_registered();
+  if (playback_.is_tracking || review_.is_reviewing || kept_) return;
+  proposed_ ? show_registered() : show_present();
 }
 
 std::vector<LesionVerdict> LiveViewModel::lesions_at_start(const OverlayFrame& overlay) {
@@ -257,8 +262,12 @@ void LiveViewModel::show_moment(const Moment& moment) {
 
 void LiveViewModel::show_present() {
   ++generation_;
-  if (!playback_.is_tracking && !playback_.is_frozen) return show_registered();
-  if (!live_job_) return;
+  if (!playback_.is_tracking && !shows_last_picture()) return show_registered();
+  if (!live_job_) {  // nothing has been followed yet
+    if (!playback_.is_frozen) return;
+    show_registered();
+    return show_frozen();
+  }
   OverlayJob job = *live_job_;
   if (is_stale_) job.overlay.validity = Validity::stale;
   job.style = style_;
@@ -278,7 +287,7 @@ void LiveViewModel::show_recorded(const OverlayFrame& overlay) {
 }
 
 void LiveViewModel::show_frozen() {
-  if (review_.is_reviewing || kept_) return;
+  if (review_.is_reviewing || kept_ || shows_proposed()) return;
   banner = playback_.frozen_why.value();
   line = tr("Not live");
   is_fresh = QVariant(false);
@@ -298,7 +307,7 @@ void LiveViewModel::show_painted(const PaintedOverlay& painted) {
   show_lesions(painted);
   if (kept_) return tell_kept(painted);
   if (review_.is_reviewing) return show_recorded(painted.overlay);
-  if (playback_.is_frozen) {  // the last live pictures may still come in
+  if (shows_last_picture()) {  // the last live pictures may still come in
     banner = playback_.frozen_why.value();
     return;
   }
@@ -367,8 +376,8 @@ void LiveViewModel::show_failed(const QString& message, int generation) {
     return;
   }
   // What is on the screen is of the case as it was, unless it says that it is a former picture.
-  if (!playback_.is_frozen && !engine_.snapshot()->tracking) put_away();
-  banner = playback_.is_frozen ? playback_.frozen_why.value() + QLatin1Char('\n') + message : message;
+  if (!shows_last_picture() && !engine_.snapshot()->tracking) put_away();
+  banner = shows_last_picture() ? playback_.frozen_why.value() + QLatin1Char('\n') + message : message;
 }
 
 void LiveViewModel::show_still(const OverlayFrame& overlay) {

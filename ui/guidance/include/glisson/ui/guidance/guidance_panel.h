@@ -40,8 +40,14 @@ class GuidancePanel : public Panel {
   const LiveViewModel& live() const { return live_; }
 
  private:
+  /// What a hand does in the picture goes to the organ that it places.
+  void join_hands();
   /// Over the picture: where a hand holds the organ, else the place that is compared.
   void show_proposed();
+  /// Neither a kept moment nor a former frame stays in the picture.
+  void leave_former();
+  /// A hand moves the organ that it sees.
+  bool can_drag() const;
 
   OverlayWorker worker_;
   RegistrationModel registration_;

@@ -51,7 +51,7 @@ class LiveViewModel : public QObject {
   /// Neither a lesion nor a mark.
   void let_go();
   /// A place of the organ to be looked at over the registered picture, as an outline, instead of where the
-  /// registration has put it. Camera's frame, metres.
+  /// registration has put it, and instead of the last picture of what was followed. Camera's frame, metres.
   struct Proposed {
     Points nodes;
     QString line;  ///< what is said of it below the picture
@@ -111,6 +111,10 @@ class LiveViewModel : public QObject {
   void read_case();
   void show_live();
   bool is_live_stale() const;
+  /// A proposed place stands over the registered frame, or does as soon as a kept moment is put away.
+  bool shows_proposed() const;
+  /// The last picture of what was followed stays, and no proposed place stands in its stead.
+  bool shows_last_picture() const { return playback_.is_frozen && !shows_proposed(); }
   void show_registered();
   /// Of the registered frame. @pre there is a registration.
   std::vector<LesionVerdict> lesions_at_start(const OverlayFrame& overlay);
