@@ -7219,6 +7219,10 @@
         <translation>Lassen Sie den Rauch ab, wischen Sie die Linse, prüfen Sie die Lampe.</translation>
     </message>
     <message>
+        <source>Read its doubts, on the right; then register again, or use it nevertheless.</source>
+        <translation>Lesen Sie rechts ihre Zweifel; registrieren Sie dann neu, oder verwenden Sie sie dennoch.</translation>
+    </message>
+    <message>
         <source>Use this place, refine it, or put it back.</source>
         <translation>Nehmen Sie diese Lage, verfeinern Sie sie, oder setzen Sie sie zurück.</translation>
     </message>

@@ -7219,6 +7219,10 @@
         <translation>Évacuez la fumée, essuyez l&apos;optique, vérifiez la lampe.</translation>
     </message>
     <message>
+        <source>Read its doubts, on the right; then register again, or use it nevertheless.</source>
+        <translation>Lisez ses doutes, à droite ; puis recalez de nouveau, ou utilisez-le malgré tout.</translation>
+    </message>
+    <message>
         <source>Use this place, refine it, or put it back.</source>
         <translation>Prenez cette position, affinez-la, ou remettez l&apos;ancienne.</translation>
     </message>

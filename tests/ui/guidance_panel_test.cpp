@@ -200,10 +200,15 @@ void GuidancePanelTest::WhatIsOutOfDateOrRefusedShowsNoRegions() {
   QTRY_COMPARE(actors(), with_region - 1);
   QVERIFY2(!tells_errors() && !scale->isVisible(), qPrintable(words_on(*organ)));
   QVERIFY(words_on(*organ).contains(QStringLiteral("Refused")));
+  // So does the picture, which shows no overlay.
+  const auto drawn = [this] { return panel().live().on_screen().made_from; };
+  QTRY_VERIFY(drawn() && drawn()->refused);
+  QVERIFY(drawn()->overlay.level() == Level::withdrawn);
 
   post(engine::AcceptRegistration{});  // a person has looked at it
   QTRY_COMPARE(actors(), with_region);
   QVERIFY(tells_errors() && scale->isVisible());
+  QTRY_VERIFY(!drawn()->refused);
 }
 
 void GuidancePanelTest::ErrorGoesWithItsCause() {

@@ -339,6 +339,8 @@ void OverlayTest::InvalidFramesSayWhyAndCarryABorder() {
   overlay.validity = Validity::too_few_points;
   const Picture few = painter.paint(frame, overlay);
   QVERIFY((*few.bytes)[left_edge + 2] > 200 && (*few.bytes)[left_edge + 1] > 130);  // amber
+  const Picture refused = painter.paint(frame, overlay, {.refused = true});
+  QVERIFY(*refused.bytes != *few.bytes && (*refused.bytes)[left_edge + 1] < 100);  // red again
   // Different reasons read differently.
   QVERIFY(scene::validity_text(Validity::mechanics_failed) != scene::validity_text(Validity::too_few_points));
   int words = 0;

@@ -192,9 +192,8 @@ void LiveViewModel::show_registered() {
   if (now[part::registration]) {
     const bool current = engine_.snapshot()->stage(part::registration) == engine::StageState::current;
     const bool refused = registration::is_refused(*now[part::registration]);
-    job.overlay.validity = !current  ? Validity::stale
-                           : refused ? Validity::residual_too_large
-                                     : Validity::valid;
+    job.refused = current && refused;
+    job.overlay.validity = !current ? Validity::stale : refused ? Validity::not_started : Validity::valid;
     job.overlay.nodes_in_camera = now[part::registration]->nodes_in_camera;
     job.overlay.residual = now[part::registration]->residual;
     job.overlay.doubtful = !now[part::registration]->doubts.empty();
@@ -205,6 +204,7 @@ void LiveViewModel::show_registered() {
   if (is_of_this_model) {
     const int index = job.overlay.index;
     job.overlay = OverlayFrame();
+    job.refused = false;
     job.overlay.index = index;
     job.overlay.validity = Validity::proposed;
     job.overlay.nodes_in_camera = proposed_->nodes;

@@ -36,7 +36,7 @@ struct OverlayWorker::Studio {
     painter->set_style(job.style);
     return painter->paint(job.frame, job.overlay,
                           {job.is_live ? age : 0.0, job.frames_per_second, job.model_unchecked, !job.is_live,
-                           job.landmarks.is_open, job.landmarks.from_statistics},
+                           job.landmarks.is_open, job.landmarks.from_statistics, job.refused},
                           job.interest);
   }
 

@@ -13,11 +13,11 @@ namespace glisson::scene {
 namespace {
 
 /// Red where the method has lost the organ, amber where it waits, must be run again or knows less.
-QColor border_colour(Validity validity) {
+QColor border_colour(Validity validity, bool refused) {
   const bool waits = validity == Validity::not_started || validity == Validity::stale ||
                      validity == Validity::too_few_points || validity == Validity::picture_lost ||
                      level_of(validity) == Level::degraded;
-  return waits ? kAmber : QColor(229, 57, 53);
+  return waits && !refused ? kAmber : QColor(229, 57, 53);
 }
 
 void draw_legend(QPainter& painter, const Layout& layout, Taken& taken,
@@ -70,8 +70,8 @@ void draw_margin(QPainter& painter, const Layout& layout, const std::vector<Eige
                .off = 2.0});
 }
 
-void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity validity) {
-  const QColor colour = border_colour(validity);
+void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity validity, bool refused) {
+  const QColor colour = border_colour(validity, refused);
   const int thickness = std::max(4, layout.size.height() / 90);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
@@ -80,7 +80,8 @@ void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity 
   // Why there is less than an overlay, or none, must be read whole: in a narrow picture it takes several
   // lines. What to do stands below, where the upper half of the picture has room for it.
   const QFont font = layout.font(true, 1.25), small = layout.font(true);
-  const QString text = Overlay::limit(validity), remedy = Overlay::remedy(validity);
+  const QString text = refused ? Overlay::refused() : Overlay::limit(validity);
+  const QString remedy = refused ? Overlay::remedy_of_refused() : Overlay::remedy(validity);
   const QRect room(0, 0, layout.size.width() - 8 * layout.margin, layout.size.height());
   const QRect words = QFontMetrics(font).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
   QRect more = QFontMetrics(small).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, remedy);
@@ -209,7 +210,7 @@ void annotate(Canvas& picture, const OverlayFrame& overlay, const Annotations& a
   // Words in the order of their weight: who comes later gives way.
   if (style.status) draw_status(painter, layout, taken, overlay, status);
   if (drawn) draw_doubts(painter, layout, taken, overlay, status);
-  if (overlay.level() != Level::valid) draw_limit(painter, layout, taken, overlay.validity);
+  if (overlay.level() != Level::valid) draw_limit(painter, layout, taken, overlay.validity, status.refused);
   if (drawn) {
     if (style.legend) draw_legend(painter, layout, taken, annotations.structures);
     draw_lesion_limits(painter, layout, taken, annotations.lesions);

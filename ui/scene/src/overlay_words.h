@@ -109,6 +109,10 @@ class Overlay {
     return (withdrawn ? tr("No overlay: %1") : tr("Outline and lesions' regions only: %1"))
         .arg(reason(validity));
   }
+  static QString refused() { return tr("No overlay: %1").arg(reason(LesionReason::refused_start)); }
+  static QString remedy_of_refused() {
+    return tr("Read its doubts, on the right; then register again, or use it nevertheless.");
+  }
   static QString reason(LesionReason reason) {
     switch (reason) {
       case LesionReason::known:

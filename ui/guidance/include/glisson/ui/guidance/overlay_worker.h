@@ -40,6 +40,7 @@ struct OverlayJob {
   engine::LandmarkReview landmarks;  ///< how far their review has come
   /// Editions of model and calibration that it is drawn with (engine::Stamp).
   std::uint64_t model_revision = 0, rig_revision = 0;
+  bool refused = false;       ///< its registration: the picture says why it shows no overlay
   bool is_live = false;       ///< of now; else the picture says that it is not
   double source_rate = 30.0;  ///< frames a second of the video, for the recording
   QSize screen;               ///< wanted of PaintedOverlay::screen; empty: none

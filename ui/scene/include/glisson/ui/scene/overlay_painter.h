@@ -52,6 +52,7 @@ struct OverlayStatus {
   bool stands = false;
   bool landmarks_open = false;             ///< nobody has said of all of them whether they lie there
   bool landmarks_from_statistics = false;  ///< one that no image shows was accepted
+  bool refused = false;                    ///< the registration: that is why there is no overlay
 };
 
 /// What a person looks at.
