@@ -150,6 +150,12 @@ void ToolBoxTest::NothingIsMeasuredToAPausedOrFormerPicture() {
   QTRY_VERIFY2(said().contains("a former moment"), qPrintable(said()));
   live_->review.go_live();
   QTRY_VERIFY2(told("surface") > 0.0, qPrintable(said()));
+  live_->moments.keep();
+  QTRY_COMPARE(live_->moments.rows.value().size(), std::size_t{1});
+  live_->moments.show(1);
+  QTRY_VERIFY2(said().contains("a former moment"), qPrintable(said()));
+  live_->moments.go_live();
+  QTRY_VERIFY2(told("surface") > 0.0, qPrintable(said()));
 }
 
 void ToolBoxTest::NothingIsMeasuredToAPictureThatHasStoppedComing() {

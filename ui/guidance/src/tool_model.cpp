@@ -109,7 +109,7 @@ void ToolModel::read_live() {
 }
 
 QString ToolModel::why_not_now() const {
-  if (review_.is_reviewing)
+  if (review_.is_reviewing || live_.shows_kept())
     return tr("The tool's pose comes in; a former moment is on the screen, and nothing is told of it.");
   if (playback_.is_paused) return tr("The tool's pose comes in; the video is paused.");
   const double age = since_frame_.isValid() ? 1e-3 * static_cast<double>(since_frame_.elapsed()) : 0.0;
