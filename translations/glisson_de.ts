@@ -13028,6 +13028,10 @@ Mode %3 bei %4 Abweichungen
         <translation>Spitze im Organ, %1 unter seiner Oberfläche</translation>
     </message>
     <message>
+        <source>%1 (±%2)</source>
+        <translation>%1 (±%2)</translation>
+    </message>
+    <message>
         <source>Tip to %1: %2</source>
         <translation>Spitze zu %1: %2</translation>
     </message>

@@ -13028,6 +13028,10 @@ Mode %3 à %4 écarts types
         <translation>Pointe dans l&apos;organe, %1 sous sa surface</translation>
     </message>
     <message>
+        <source>%1 (±%2)</source>
+        <translation>%1 (±%2)</translation>
+    </message>
+    <message>
         <source>Tip to %1: %2</source>
         <translation>De la pointe à %1 : %2</translation>
     </message>

@@ -28,6 +28,7 @@ class ToolBoxTest : public QObject {
   void ItIsOff();
   void DistancesAreTold();
   void TipThatTouchesMarksThePlace();
+  void RoughlyKnownPlacesGiveRoughDistances();
   void ATipInsideTheOrganIsToldSo();
   void NothingIsMeasuredToAPausedOrFormerPicture();
   void NothingIsMeasuredToAPictureThatHasStoppedComing();
@@ -124,6 +125,17 @@ void ToolBoxTest::TipThatTouchesMarksThePlace() {
   on()->click();
   QVERIFY(!on()->isChecked());
   QTRY_VERIFY(!is_place_told());
+}
+
+void ToolBoxTest::RoughlyKnownPlacesGiveRoughDistances() {
+  track();
+  serve("z100");
+  QTRY_VERIFY2(told("Tip to [^:]*1") > 0.0, qPrintable(said()));
+  QCOMPARE(model_->tone.value(), QString("good"));
+  operation_->live_validity = Validity::partly_covered;
+  const QRegularExpression rough("surface: 10 mm\nTip to [^:]*1: [0-9]+ mm \\(±6 mm\\)$");
+  QTRY_VERIFY2(said().contains(rough), qPrintable(said()));
+  QCOMPARE(model_->tone.value(), QString("warning"));
 }
 
 void ToolBoxTest::ATipInsideTheOrganIsToldSo() {

@@ -145,17 +145,24 @@ void ToolModel::tell(const openigtlink::ReceivedTool& tool) {
   const Label lesion = live_.chosen;
   const guidance::ToolMeasures measures = now->measure(tool.camera_from_tool.translation, lesion);
   live_.touch(measures.touched);
-  const auto length = [](double metres) { return tr("%1 mm").arg(1e3 * metres, 0, 'f', 1); };
+  const OverlayFrame& overlay = engine_.state()[part::live]->overlay;
+  bool is_rough = overlay.level() != Level::valid;
+  const auto length = [](double metres, int decimals) {
+    return tr("%1 mm").arg(1e3 * metres, 0, 'f', decimals);
+  };
   QString text = (measures.is_inside ? tr("Tip inside the organ, %1 below its surface")
                                      : tr("Tip to the organ's surface: %1"))
-                     .arg(length(measures.to_surface));
-  const auto known = engine_.state()[part::live]->overlay.lesions;
-  const bool is_shown = std::any_of(known.begin(), known.end(), [&](const LesionVerdict& verdict) {
-    return verdict.lesion == lesion && verdict.level != Level::withdrawn;
-  });
-  if (is_shown && !std::isnan(measures.to_lesion))
-    text += QLatin1Char('\n') + tr("Tip to %1: %2").arg(structure_text(lesion), length(measures.to_lesion));
-  say(text, QStringLiteral("good"));
+                     .arg(length(measures.to_surface, is_rough ? 0 : 1));
+  const auto verdict = std::find_if(overlay.lesions.begin(), overlay.lesions.end(),
+                                    [&](const LesionVerdict& one) { return one.lesion == lesion; });
+  const bool is_shown = verdict != overlay.lesions.end() && verdict->level != Level::withdrawn;
+  if (is_shown && !std::isnan(measures.to_lesion)) {
+    is_rough = is_rough || verdict->level != Level::valid;
+    QString distance = length(measures.to_lesion, is_rough ? 0 : 1);
+    if (is_rough && verdict->reach > 0.0) distance = tr("%1 (±%2)").arg(distance, length(verdict->reach, 0));
+    text += QLatin1Char('\n') + tr("Tip to %1: %2").arg(structure_text(lesion), distance);
+  }
+  say(text, is_rough ? QStringLiteral("warning") : QStringLiteral("good"));
 }
 
 void ToolModel::say(const QString& text, const QString& how) {
