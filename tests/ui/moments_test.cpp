@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/open_case.h"
@@ -30,6 +31,7 @@ class UiMomentsTest : public QObject, protected GuidanceWindow {
   void AnotherModelsOverlayIsNotDrawn();
   void TitlesAndDeletionsAreTakenBack();
   void AnotherCaseHasNoneOfThem();
+  void WhatIsToldOfLesionsIsTheMoments();
 
  private:
   template <class T>
@@ -242,6 +244,27 @@ void UiMomentsTest::AnotherCaseHasNoneOfThem() {
   QVERIFY2(is_blank(), qPrintable(said()));
   QVERIFY2(stays_blank(), qPrintable(said()));
   QVERIFY(!panel().live().shows_kept());
+}
+
+void UiMomentsTest::WhatIsToldOfLesionsIsTheMoments() {
+  reach_registration(300);
+  track();
+  keep(1);
+  child<QPushButton>("stop_tracking")->click();
+  QTRY_VERIFY_WITH_TIMEOUT(!is_tracking(), 20000);
+  operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
+  post(engine::Register{});
+  const auto* table = child<QTreeWidget>("lesion_table");
+  const auto row = [table] {
+    const QTreeWidgetItem* item = table->topLevelItem(0);
+    return item == nullptr ? QString() : item->text(1) + "|" + item->text(2) + "|" + item->text(3);
+  };
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("not shown||–"), 20000);
+  click_row(0);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("shown|3.2 mm|±5.6 mm"), 20000);
+  QCOMPARE(table->topLevelItemCount(), 1);  // no forks, of which a moment knows nothing
+  key(Qt::Key_Escape);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("not shown||–"), 20000);
 }
 
 }  // namespace glisson

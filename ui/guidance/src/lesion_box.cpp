@@ -69,6 +69,7 @@ LesionBox::LesionBox(LiveViewModel& model, RegistrationModel& registration, QWid
     model_.choose(lesion == model_.chosen ? Label{0} : lesion);
   });
   couplings_.add(model.lesions, [this](const LesionRows&) { show_rows(); });
+  couplings_.add(model.mark, [this](const QString&) { show_rows(); });
   couplings_.add(registration.spots, [this](const SpotRows&) { show_rows(); });
   couplings_.add(registration.holds, [this](bool) { show_rows(); });
   couplings_.add(model.chosen, [this](Label lesion) { show_choice(lesion); });
@@ -76,10 +77,12 @@ LesionBox::LesionBox(LiveViewModel& model, RegistrationModel& registration, QWid
 }
 
 void LesionBox::show_rows() {
-  // Lesions that are in the picture, those of which the registration alone knows, then the forks.
+  // Lesions that are in the picture, those of which the registration alone knows, then the forks. Of a kept
+  // moment the registration may be another one: all that is told of it is what it holds itself.
   std::vector<std::pair<LesionRow, SpotRow>> rows;
   for (const LesionRow& row : model_.lesions.value()) rows.emplace_back(row, SpotRow());
-  for (const SpotRow& spot : registration_.spots.value()) {
+  const bool is_kept = shows_kept();
+  for (const SpotRow& spot : is_kept ? SpotRows() : registration_.spots.value()) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
       return spot.lesion != 0 && one.first.lesion == spot.lesion;
     });
@@ -113,13 +116,15 @@ void LesionBox::show_rows() {
   show_choice(model_.chosen);
 }
 
+bool LesionBox::shows_kept() const { return !model_.mark.value().isEmpty(); }
+
 void LesionBox::show_row(QTreeWidgetItem* item, const LesionRow& row, const SpotRow& spot) const {
   item->setData(name, Qt::UserRole, static_cast<uint>(row.lesion));
   item->setText(name, row.name);
   item->setToolTip(name, row.name);  // some are longer than their column
   item->setText(state, row.state);
-  item->setText(expected, spot.expected);
-  item->setText(within, registration_.holds ? row.within : QStringLiteral("–"));
+  item->setText(expected, shows_kept() ? row.expected : spot.expected);
+  item->setText(within, shows_kept() || registration_.holds ? row.within : QStringLiteral("–"));
   for (const Column column : {expected, within})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   const bool is_fork = row.lesion == 0;

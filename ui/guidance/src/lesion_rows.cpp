@@ -26,6 +26,10 @@ class LesionTexts {
     }
     return {};
   }
+  static QString expected(const LesionVerdict& verdict) {
+    const bool is_known = verdict.reach > 0.0;
+    return is_known ? tr("%1 mm").arg(1e3 * verdict.expected, 0, 'f', 1) : QStringLiteral("–");
+  }
   static QString within(double metres) {
     return metres > 0.0 ? tr("±%1 mm").arg(1e3 * metres, 0, 'f', 1) : QStringLiteral("–");
   }
@@ -45,6 +49,7 @@ LesionRows lesion_rows(const std::vector<LesionVerdict>& verdicts, Level whole) 
     row.level = std::max(verdict.level, whole);
     row.name = structure_text(verdict.lesion);
     row.state = LesionTexts::state(row.level);
+    row.expected = LesionTexts::expected(verdict);
     row.within = LesionTexts::within(verdict.reach);
     const LesionReason reason = whole > verdict.level ? LesionReason::with_the_whole : verdict.reason;
     if (row.level != Level::valid) row.why = QString::fromStdString(scene::lesion_reason_text(reason));

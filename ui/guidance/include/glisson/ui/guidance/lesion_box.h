@@ -15,7 +15,7 @@ namespace glisson::ui {
 
 /// What is known of each lesion in the picture, a row each, and why less than a lesion is drawn; the numbers
 /// of the one that is chosen, here or in the picture. Below them the largest vessel forks, as the
-/// registration expects their error.
+/// registration expects their error; none below a kept moment.
 class LesionBox : public QWidget {
   Q_OBJECT
  public:
@@ -25,6 +25,8 @@ class LesionBox : public QWidget {
  private:
   enum Column { name, state, expected, within, columns };
   void show_rows();
+  /// The picture on the screen is a kept moment's.
+  bool shows_kept() const;
   void show_row(QTreeWidgetItem* item, const LesionRow& row, const SpotRow& spot) const;
   void show_choice(Label lesion);
 

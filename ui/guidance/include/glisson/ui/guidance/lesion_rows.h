@@ -17,8 +17,9 @@ struct LesionRow {
   Label lesion = 0;
   Level level = Level::withdrawn;
   QString name, state;
-  QString within;  ///< reach of its 95 % region; a dash: not known
-  QString why;     ///< less than the lesion is drawn; empty: it is drawn
+  QString expected;  ///< mean error; a dash: not known
+  QString within;    ///< reach of its 95 % region; a dash: not known
+  QString why;       ///< less than the lesion is drawn; empty: it is drawn
   bool operator==(const LesionRow&) const = default;
 };
 using LesionRows = std::vector<LesionRow>;
