@@ -25,9 +25,11 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/stop_tracking.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/registration_box.h"
+#include "glisson/ui/guidance/rival_pictures.h"
 #include "guidance_bench.h"
 #include "run_in_window.h"
 
@@ -49,6 +51,7 @@ class GuidanceBoxesTest : public QObject, GuidanceBench {
   void OtherPlacesAreOfferedAndTaken();
   void OtherPlacesAreSeenSideBySideAndTakenByAClick();
   void ADoubleClickTakesOnePlaceOnly();
+  void NoPlaceIsTakenWhileTheOrganIsFollowed();
   void TheFormerRegistrationIsOneClickAway();
   void TheMethodIsChosenInTheBox();
   void PlacedByHandTheModelIsRefinedFromThere();
@@ -253,6 +256,24 @@ void GuidanceBoxesTest::ADoubleClickTakesOnePlaceOnly() {
   QTRY_VERIFY(first->isEnabled());
   post(engine::StartTracking{});
   QVERIFY(!first->isEnabled() && first->toolTip().contains(QStringLiteral("stop tracking first")));
+}
+
+void GuidanceBoxesTest::NoPlaceIsTakenWhileTheOrganIsFollowed() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  operation_->rival_away = 0.014;
+  reach_registration(4);
+  auto* choice = box.findChild<QComboBox*>(QStringLiteral("rival"));
+  choice->setCurrentIndex(1);
+  emit choice->activated(1);
+  const auto* use = task(box, "choose_rival")->button();
+  QVERIFY(use->isEnabled());
+  post(engine::StartTracking{});
+  QVERIFY(!use->isEnabled());
+  QVERIFY(words_on(*task(box, "choose_rival")).contains(ui::RivalPictures::tracking_words()));
+  post(engine::StopTracking{});
+  QVERIFY(use->isEnabled());
 }
 
 void GuidanceBoxesTest::TheFormerRegistrationIsOneClickAway() {
