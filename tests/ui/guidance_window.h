@@ -26,6 +26,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/moments.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
@@ -48,13 +49,14 @@ class GuidanceWindow {
   }
   void close_window() {
     window_.reset();
+    moments_of_other_.reset();
     operation_.reset();
     folder_.reset();
   }
-  /// FakeOperation opens no cases: here every one holds a CT and nothing else.
+  /// FakeOperation opens no cases: here every one holds a CT and these moments, if any, and nothing else.
   engine::Engine::Options with_other_case() const {
     engine::Engine::Options options = operation_->options();
-    options.apply = [apply = options.apply, ct = std::make_shared<const Image>(operation_->ct)](
+    options.apply = [this, apply = options.apply, ct = std::make_shared<const Image>(operation_->ct)](
                         const engine::CaseState& state, const engine::Command& command,
                         const RunContext& context,
                         const engine::Services& services) -> Cancellable<engine::Applied> {
@@ -62,6 +64,10 @@ class GuidanceWindow {
       engine::Applied applied;
       applied.state[part::image] = ct;
       applied.state.stamp(part::image).revision = 1;
+      if (moments_of_other_) {
+        applied.state[part::moments] = moments_of_other_;
+        applied.state.stamp(part::moments).revision = 1;
+      }
       applied.keeps_stamps = true;
       return applied;
     };
@@ -159,6 +165,7 @@ class GuidanceWindow {
   std::unique_ptr<TemporaryFolder> folder_;
   std::unique_ptr<FakeOperation> operation_;
   std::unique_ptr<ui::MainWindow> window_;
+  std::shared_ptr<const engine::KeptMoments> moments_of_other_;
 };
 
 }  // namespace glisson

@@ -31,6 +31,7 @@ class UiMomentsTest : public QObject, protected GuidanceWindow {
   void AnotherModelsOverlayIsNotDrawn();
   void TitlesAndDeletionsAreTakenBack();
   void AnotherCaseHasNoneOfThem();
+  void ATitleGoesToNoOtherCase();
   void WhatIsToldOfLesionsIsTheMoments();
 
  private:
@@ -244,6 +245,26 @@ void UiMomentsTest::AnotherCaseHasNoneOfThem() {
   QVERIFY2(is_blank(), qPrintable(said()));
   QVERIFY2(stays_blank(), qPrintable(said()));
   QVERIFY(!panel().live().shows_kept());
+}
+
+void UiMomentsTest::ATitleGoesToNoOtherCase() {
+  reach_registration(300);
+  track();
+  keep(1);
+  list().setCurrentRow(0);
+  auto* title = child<QLineEdit>("moment_title");
+  title->setFocus();
+  QTest::keyClicks(title, QStringLiteral("Kante"));
+  moments_of_other_ = std::make_shared<const engine::KeptMoments>(*state()[part::moments]);
+  post(engine::OpenCase{"other.glisson"});
+  QCOMPARE(kept(), std::size_t{1});
+  QCOMPARE(list().count(), 1);
+  QCOMPARE(list().currentRow(), -1);
+  QVERIFY2(title->text().isEmpty(), qPrintable(title->text()));
+  QTest::keyClick(title, Qt::Key_Return);
+  QTest::qWait(100);
+  QVERIFY(window_->engine().tasks().empty());
+  QVERIFY(state()[part::moments]->moments[0]->title.empty());
 }
 
 void UiMomentsTest::WhatIsToldOfLesionsIsTheMoments() {

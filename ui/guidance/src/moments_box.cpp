@@ -80,7 +80,16 @@ MomentsBox::MomentsBox(MomentsModel& model, QWidget* parent)
     said->setVisible(!text.isEmpty());
   });
   couplings_.add(model.tone, [said](const QString& tone) { set_style_property(said, "role", tone); });
+  couplings_.add(model.case_number, [this](std::uint64_t) { forget(); });
   couplings_.add(model.rows, [this](const std::vector<MomentRow>&) { show_rows(); });
+}
+
+void MomentsBox::forget() {
+  {
+    const QSignalBlocker quiet(list_);
+    list_->setCurrentRow(-1);
+  }
+  show_choice();
 }
 
 int MomentsBox::chosen() const {

@@ -170,8 +170,8 @@ void MomentsModel::read_outcome(const engine::Outcome& outcome) {
 }
 
 void MomentsModel::read_case() {
-  if (const std::uint64_t number = engine_.snapshot()->case_number; number != case_number_) {
-    case_number_ = number;
+  if (const std::uint64_t number = engine_.snapshot()->case_number; number != case_number) {
+    case_number = number;
     former_.clear();
     can_undo = false;
     say({});

@@ -22,6 +22,8 @@ class MomentsBox : public QWidget {
 
  private:
   void show_rows();
+  /// Another case: neither the choice nor a text that nobody has entered yet is of it.
+  void forget();
   /// Number of the chosen row; 0: none.
   int chosen() const;
   void show_choice();

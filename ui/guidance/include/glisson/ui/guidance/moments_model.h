@@ -60,6 +60,7 @@ class MomentsModel : public QObject {
   void undo();
 
   // For widgets to read.
+  QProperty<std::uint64_t> case_number{0};  ///< whose moments they are (engine::Snapshot)
   QProperty<std::vector<MomentRow>> rows;
   QProperty<int> shown{0};      ///< number of the moment on the screen; 0: none
   QProperty<QString> obstacle;  ///< why none can be kept now; empty: one can
@@ -88,7 +89,6 @@ class MomentsModel : public QObject {
   std::shared_ptr<const engine::KeptMoments> kept_;
   std::map<std::shared_ptr<const std::string>, QImage> thumbnails_;  ///< by picture; null: being made
   std::vector<engine::Command> former_;                              ///< what takes each step back
-  std::uint64_t case_number_ = 0;
   std::shared_ptr<const engine::KeptMoment> shown_;  ///< on the screen, while `shown` is not 0
   int wanted_ = 0;                                   ///< that is being read, to be shown; 0: none
   std::mutex mutex_;
