@@ -51,6 +51,7 @@ class FakeOperation {
   std::atomic<Validity> live_validity{Validity::valid};
   std::atomic<bool> next_frame_fails{false};             ///< the next live frame cannot be followed
   std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
+  std::vector<std::string> more_notes;                   ///< that registering tells besides
   std::atomic<bool> again_is_better{true};               ///< a registration that is made while one follows
   std::vector<std::string> again_doubts;                 ///< of that one
   std::optional<engine::MaskStatus> mask;                ///< of every live frame; before tracking begins

@@ -27,6 +27,7 @@
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/commands/stop_tracking.h"
 #include "glisson/engine/obstacle.h"
+#include "glisson/ui/common/texts.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/registration_box.h"
 #include "glisson/ui/guidance/rival_pictures.h"
@@ -46,6 +47,7 @@ class GuidanceBoxesTest : public QObject, GuidanceBench {
   void CouplingShowsNowAndAtEveryChange();
   void RegistrationSaysWhatItNeeds();
   void RegistrationShowsItsFiguresAndDoubts();
+  void WhatRegisteringNotesIsShown();
   void RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo();
   void NothingIsDecidedAboutARegistrationThatIsBeingMade();
   void OtherPlacesAreOfferedAndTaken();
@@ -109,6 +111,26 @@ void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
   QVERIFY(words_on(box).contains(QStringLiteral("came to rest")));
   QVERIFY(!doubts->isHidden() && !doubts->text().isEmpty());
   QVERIFY(!box.findChild<QLabel*>(QStringLiteral("model_unchecked"))->isHidden());
+}
+
+void GuidanceBoxesTest::WhatRegisteringNotesIsShown() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  const auto* notes = box.findChild<QLabel*>(QStringLiteral("registration_notes"));
+  operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
+  operation_->more_notes = {"landmarks.no_vena_cava", "landmarks.not_reviewed"};
+  reach_registration(4);
+  QVERIFY(!notes->isHidden());
+  // What is told as a doubt is not told twice.
+  QCOMPARE(notes->text(), ui::notes_text(operation_->more_notes));
+  task(box, "accept_registration")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(!model.is_refused);
+  QCOMPARE(notes->text(), ui::notes_text(operation_->more_notes));  // they hold still
+  operation_->more_notes.clear();
+  post(engine::Register{});
+  QVERIFY(notes->isHidden());
 }
 
 void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {

@@ -45,6 +45,9 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   QLabel* doubts = make_warning(this);
   doubts->setObjectName(QStringLiteral("registration_doubts"));
   box->addWidget(doubts);
+  QLabel* notes = make_warning(this);
+  notes->setObjectName(QStringLiteral("registration_notes"));
+  box->addWidget(notes);
 
   auto* accept = new TaskButton(
       engine, tr("Use it nevertheless"),
@@ -68,6 +71,7 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   couplings_.add(model.is_unchecked, [unchecked](bool is) { unchecked->setVisible(is); });
   couplings_.add(model.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   couplings_.add(model.doubts, [doubts](const QString& text) { show_warning(*doubts, text); });
+  couplings_.add(model.notes, [notes](const QString& text) { show_warning(*notes, text); });
 }
 
 QLayout* RegistrationBox::make_method_row(RegistrationModel& model) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/former_registration.h"
@@ -19,6 +23,7 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
     : QObject(parent), engine_(engine) {
   connect(&engine_, &EngineBridge::case_changed, this, &RegistrationModel::read_case);
   connect(&engine_, &EngineBridge::tasks_changed, this, &RegistrationModel::read_tasks);
+  connect(&engine_, &EngineBridge::finished, this, &RegistrationModel::read_outcome);
   couplings_.add(shown_look, [this](int) {
     if (source_) read_error(*source_);
   });
@@ -27,6 +32,20 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
 
 void RegistrationModel::read_tasks() {
   is_being_made = ui::is_being_made(engine_, part::registration, engine::Lane::work);
+}
+
+/// What a file's reading notes is told elsewhere; an acceptance changes nothing but a doubt.
+void RegistrationModel::read_outcome(const engine::Outcome& outcome) {
+  const bool is_another = outcome.traits.writes.has(part::registration) &&
+                          outcome.command != engine::AcceptRegistration().traits().code;
+  if (outcome.status != engine::Status::done || !is_another || !source_) return;
+  std::vector<std::string> more;
+  if (outcome.traits.notice == engine::Notice::ordinary)
+    std::copy_if(
+        outcome.notes.begin(), outcome.notes.end(), std::back_inserter(more), [this](const auto& one) {
+          return std::find(source_->doubts.begin(), source_->doubts.end(), one) == source_->doubts.end();
+        });
+  notes = notes_text(more);
 }
 
 QString RegistrationModel::wait_words() {
@@ -53,6 +72,7 @@ void RegistrationModel::read_case() {
     error_words = QString();
     figures = FigureRows();
     doubts = QString();
+    notes = QString();
     is_refused = false;
     return;
   }

@@ -33,6 +33,7 @@ class RegistrationModel : public QObject {
   QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
   QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
   QProperty<QString> doubts;      ///< a line each
+  QProperty<QString> notes;       ///< what else was noted when it was made, a line each
   QProperty<bool> is_refused;     ///< and nobody has accepted it
   QProperty<bool> holds{false};   ///< it is there, up to date and not refused: so is what it says of errors
   QProperty<bool> is_followed{false};    ///< the organ, from the place that it has now
@@ -63,6 +64,7 @@ class RegistrationModel : public QObject {
   static QString termination_words(const Registration& registration);
   void read_case();
   void read_tasks();
+  void read_outcome(const engine::Outcome& outcome);
   void read_rivals(const Registration& registration);
   void read_spots(const Registration& registration);
   void read_error(const Registration& registration);
