@@ -59,9 +59,15 @@ namespace {
 class Breathing : public engine::Follower {
  public:
   Breathing(Points nodes, const std::atomic<Validity>& validity, std::atomic<bool>& fails,
-            std::optional<engine::MaskStatus> mask)
-      : nodes_(std::move(nodes)), mask_(std::move(mask)), validity_(validity), fails_(fails) {}
-  std::optional<engine::MaskStatus> mask_status() const override { return mask_; }
+            std::optional<engine::MaskStatus> mask, const std::atomic<bool>& mask_is_removed)
+      : nodes_(std::move(nodes)),
+        mask_(std::move(mask)),
+        validity_(validity),
+        fails_(fails),
+        mask_is_removed_(mask_is_removed) {}
+  std::optional<engine::MaskStatus> mask_status() const override {
+    return mask_is_removed_ ? std::nullopt : mask_;
+  }
   OverlayFrame follow(const engine::LiveInput& input) override {
     const auto& frame = std::get<StereoFrame>(input);
     if (fails_.exchange(false)) throw NumericalError("the mechanics: no solution. Start tracking again.");
@@ -130,6 +136,7 @@ class Breathing : public engine::Follower {
   std::optional<engine::MaskStatus> mask_;
   const std::atomic<Validity>& validity_;
   std::atomic<bool>& fails_;
+  const std::atomic<bool>& mask_is_removed_;
 };
 }  // namespace
 
@@ -158,7 +165,7 @@ engine::Engine::Options FakeOperation::options() {
   };
   options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
     return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity,
-                                       next_frame_fails, mask);
+                                       next_frame_fails, mask, mask_is_removed);
   };
   return options;
 }

@@ -55,6 +55,7 @@ class FakeOperation {
   std::atomic<bool> again_is_better{true};               ///< a registration that is made while one follows
   std::vector<std::string> again_doubts;                 ///< of that one
   std::optional<engine::MaskStatus> mask;                ///< of every live frame; before tracking begins
+  std::atomic<bool> mask_is_removed{false};              ///< from the next live frame on there is none
   double rival_away = 0.0;                               ///< metres; 0: the registration has no rival
   std::optional<CameraFromCt> start;                     ///< that the last registration was to begin near
   registration::Method method{};                         ///< that the last registration was to take

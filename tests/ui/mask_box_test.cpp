@@ -24,6 +24,7 @@ class MaskBoxTest : public QObject {
   void ASheetThatCannotBeUsedIsToldAndNotTaken();
   void WhatItDoesIsTold_data();
   void WhatItDoesIsTold();
+  void NothingIsToldOfOneThatIsGone();
 
  private:
   template <class Widget>
@@ -36,6 +37,7 @@ class MaskBoxTest : public QObject {
     write_file_atomically(folder_->path() / "tools.json", sheet);
     return folder_->path() / "tools.onnx";
   }
+  void follow(int frames);
   static constexpr const char* kSheet = R"({"channels": ["liver", "tool"], "liver": ["liver"]})";
   void make() {
     model_ = std::make_unique<ui::MaskModel>(*engine_, live_->playback);
@@ -67,6 +69,15 @@ void MaskBoxTest::cleanup() {
   engine_.reset();
   operation_.reset();
   folder_.reset();
+}
+
+void MaskBoxTest::follow(int frames) {
+  for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", frames))
+    engine_->post(step);
+  engine_->post(engine::Register{});
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty() && live_->drawables.drawable(); }, 20000));
+  live_->playback.repeats = true;
+  live_->playing.findChild<ui::TaskButton*>("start_tracking")->trigger();
 }
 
 void MaskBoxTest::ItIsKeptForTheNextStart() {
@@ -117,15 +128,21 @@ void MaskBoxTest::WhatItDoesIsTold() {
   status.is_used = used;
   status.problem = problem.toStdString();
   operation_->mask = status;
-  for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", 60))
-    engine_->post(step);
-  engine_->post(engine::Register{});
-  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty() && live_->drawables.drawable(); }, 20000));
-  live_->playback.repeats = true;
-  live_->playing.findChild<ui::TaskButton*>("start_tracking")->trigger();
+  follow(60);
   QTRY_VERIFY2_WITH_TIMEOUT(said().contains(words), qPrintable(said()), 20000);
   live_->playback.stop();
   QTRY_VERIFY(said().isEmpty());
+}
+
+void MaskBoxTest::NothingIsToldOfOneThatIsGone() {
+  operation_->mask = engine::MaskStatus{};
+  operation_->mask->age = 0.08;
+  operation_->mask->is_used = true;
+  follow(600);  // the playing's end would take the words away, too
+  QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Masked of the organ"), qPrintable(said()), 20000);
+  operation_->mask_is_removed = true;
+  QTRY_VERIFY2(said().isEmpty(), qPrintable(said()));
+  QVERIFY(live_->playback.is_tracking);
 }
 
 }  // namespace glisson

@@ -57,8 +57,16 @@ void MaskModel::use(const QString& network) {
 
 void MaskModel::read_live() {
   const auto& live = engine_.state()[part::live];
-  if (!live || !live->mask || !playback_.is_playing) return;
-  const engine::MaskStatus& mask = *live->mask;
+  if (!live || !playback_.is_playing) return;
+  if (live->mask)
+    tell(*live);
+  else if (tells_live_)
+    say({});  // the network was removed
+  tells_live_ = live->mask.has_value();
+}
+
+void MaskModel::tell(const engine::LiveState& live) {
+  const engine::MaskStatus& mask = *live.mask;
   if (!mask.problem.empty())
     return say(
         tr("The mask network has failed; the organ is followed without it. %1").arg(error_text(mask.problem)),
@@ -68,11 +76,11 @@ void MaskModel::read_live() {
     return say(tr("The mask network is too slow: its last mask is %1 s old and is not used.")
                    .arg(*mask.age, 0, 'f', 1),
                QStringLiteral("warning"));
-  if (const auto& use = live->overlay.mask)
+  if (const auto& use = live.overlay.mask)
     say(tr("Masked of the organ in sight: %1 %. The mask is %2 ms old.")
             .arg(1e2 * use->share, 0, 'f', 0)
             .arg(1e3 * use->age, 0, 'f', 0),
-        level_of(live->overlay.validity) == Level::valid ? QString() : QStringLiteral("warning"));
+        level_of(live.overlay.validity) == Level::valid ? QString() : QStringLiteral("warning"));
 }
 
 void MaskModel::say(const QString& text, const QString& how) {

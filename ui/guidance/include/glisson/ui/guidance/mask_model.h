@@ -9,6 +9,10 @@
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/guidance/playback_model.h"
 
+namespace glisson::engine {
+struct LiveState;
+}
+
 namespace glisson::ui {
 
 /// The person's own network that says what of the live picture is not liver. It is chosen for this computer,
@@ -31,10 +35,12 @@ class MaskModel : public QObject {
  private:
   void use(const QString& network);
   void read_live();
+  void tell(const engine::LiveState& live);
   void say(const QString& text, const QString& how = {});
 
   EngineBridge& engine_;
   PlaybackModel& playback_;
+  bool tells_live_ = false;  ///< what is said is of the live picture
   Couplings couplings_;
 };
 
