@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/registration.h"
@@ -38,6 +39,7 @@ class GuidanceLiveTest : public QObject, protected GuidanceWindow {
   void OverTheLastPictureKeysTakeNoRegistrationBack();
   void OverTheLastPictureAHandSeesWhatItPlaces();
   void InAPauseTheOverlayGoesWithItsRegistration();
+  void APictureOfUnknownAgeIsNotLive();
 };
 
 void GuidanceLiveTest::EveryPlayingKnowsWhenItsFramesWereSent() {
@@ -258,6 +260,19 @@ void GuidanceLiveTest::InAPauseTheOverlayGoesWithItsRegistration() {
   QTRY_COMPARE_WITH_TIMEOUT(level(), Level::withdrawn, 20000);
   QVERIFY(*picture().bytes != *drawn.bytes);
   QVERIFY2(said().contains(QStringLiteral("Paused")), qPrintable(said()));
+}
+
+void GuidanceLiveTest::APictureOfUnknownAgeIsNotLive() {
+  reach_registration(12);
+  post(engine::StartTracking{});
+  StereoFrame frame;
+  frame.left = frame.right =
+      FakeOperation::picture(operation_->rig.left.width, operation_->rig.left.height, 7);
+  frame.index = 7;
+  window_->engine().submit_frame(frame);  // of which the feed knows nothing
+  QTRY_COMPARE_WITH_TIMEOUT(panel().live().shown_index(), 7, 20000);
+  QVERIFY(!panel().live().shows_live());
+  QTRY_VERIFY(said().contains(QStringLiteral("Frame 7, not live")));
 }
 
 }  // namespace glisson

@@ -161,6 +161,9 @@ std::optional<Cut> StereoVideo::cut() const {
   return Cut{whole_width(), whole_height(), impl_->options.crop};
 }
 double StereoVideo::frames_per_second() const { return impl_->views->rate; }
+bool StereoVideo::is_live() const {
+  return stereo::is_live(impl_->options.left) || stereo::is_live(impl_->options.right);
+}
 int StereoVideo::frame_count() const { return impl_->views->frames; }
 int StereoVideo::skipped() const { return impl_->views->skipped; }
 

@@ -238,7 +238,8 @@ void LiveViewModel::show_live() {
   if (shows_refuted_ && job.overlay.validity == Validity::surface_apart)
     job.overlay.validity = Validity::proposed;
   job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
-  job.is_live = !playback_.is_paused && !playback_.is_frozen;  // frames that were on their way
+  // Not those that were on their way, nor one of which nobody knows how old it is.
+  job.is_live = job.taken && !playback_.is_paused && !playback_.is_frozen;
   job.source_rate = playback_.feed().frames_per_second();
   job.frames_per_second = rate();
   live_job_ = job;

@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/tool_model.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "glisson/core/error.h"
@@ -105,15 +106,15 @@ void ToolModel::read_live() {
   const std::pair frame(live->overlay.index, live->overlay.seconds);
   if (frame_ == frame) return;
   frame_ = frame;
-  since_frame_.start();
+  taken_ = playback_.feed().sent_at(live->overlay.index);
 }
 
 QString ToolModel::why_not_now() const {
   if (review_.is_reviewing || live_.shows_kept())
     return tr("The tool's pose comes in; a former moment is on the screen, and nothing is told of it.");
   if (playback_.is_paused) return tr("The tool's pose comes in; the video is paused.");
-  const double age = since_frame_.isValid() ? 1e-3 * static_cast<double>(since_frame_.elapsed()) : 0.0;
-  if (!frame_ || !engine_.snapshot()->tracking) return not_followed();
+  if (!frame_ || !taken_ || !engine_.snapshot()->tracking) return not_followed();
+  const double age = std::chrono::duration<double>(VideoFeed::Clock::now() - *taken_).count();
   if (age <= kFreshPose) return {};
   return tr("The tool's pose comes in; the last picture is %1 s old: it is not used.").arg(age, 0, 'f', 1);
 }

@@ -68,6 +68,13 @@ bool VideoFeed::wait(std::unique_lock<std::mutex>& lock, const std::stop_token& 
   }
 }
 
+bool VideoFeed::passes_on() {
+  if (!paused_) return true;
+  if (steps_ == 0) return false;
+  --steps_;
+  return true;
+}
+
 std::optional<VideoFeed::Clock::time_point> VideoFeed::sent_at(int index) const {
   const std::lock_guard lock(mutex_);
   const auto found = sent_.find(index);
@@ -89,9 +96,12 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
       if (!video.read(frame)) break;
     Clock::time_point due = Clock::now();
     while (!stop.stop_requested() && video.read(frame)) {
+      const Clock::time_point came = Clock::now();
       std::unique_lock lock(mutex_);
-      if (!wait(lock, stop, due)) return;
-      sent_[frame.index] = Clock::now();
+      // What is live has its own rate, and ages from when it came: nothing of it is held back.
+      if (video.is_live() && !passes_on()) continue;
+      if (!video.is_live() && !wait(lock, stop, due)) return;
+      sent_[frame.index] = video.is_live() ? came : Clock::now();
       while (sent_.size() > kRemembered) sent_.erase(sent_.begin());
       lock.unlock();
       sink_(frame);

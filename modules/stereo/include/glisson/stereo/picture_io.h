@@ -40,6 +40,8 @@ class StereoVideo {
   /// How its views are cut; empty: they are not.
   std::optional<Cut> cut() const;
   double frames_per_second() const;
+  /// Frames come when they come, from a device or a server, and without an end.
+  bool is_live() const;
   /// As the container says; may be more than can be read; 0: it does not say.
   int frame_count() const;
   /// The next frame. @return false at the end. @throws InputError when the video breaks off before

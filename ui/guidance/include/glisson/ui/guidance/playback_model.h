@@ -27,7 +27,8 @@ class PlaybackModel : public QObject {
   void begin(const engine::Outcome& outcome);
   /// The person has seen enough.
   void stop();
-  /// Frames wait, or come again; tracking stays as it is. Nothing happens unless it plays.
+  /// Frames wait (those of a live source pass by), or come again; tracking stays as it is. Nothing happens
+  /// unless it plays.
   void pause(bool on);
   /// One frame more of a paused video.
   void step() { feed_.step(); }

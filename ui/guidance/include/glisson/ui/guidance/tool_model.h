@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QProperty>
 #include <QTimer>
@@ -57,7 +56,7 @@ class ToolModel : public QObject {
   std::shared_ptr<const scene::DrawableModel> measured_;  ///< what the meter was made of
   std::unique_ptr<guidance::ToolMeter> meter_;
   std::optional<std::pair<int, double>> frame_;  ///< index and seconds of the last one that was followed
-  QElapsedTimer since_frame_;
+  std::optional<VideoFeed::Clock::time_point> taken_;  ///< when that was; empty: nobody knows
   QTimer looks_;
 };
 

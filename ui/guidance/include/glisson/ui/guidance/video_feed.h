@@ -18,7 +18,7 @@
 namespace glisson::ui {
 
 /// Plays a stereo video at its own rate on a thread of its own, frame by frame into a sink, as a live
-/// laparoscope would.
+/// laparoscope would. Of a live source every frame goes on at once, or never.
 class VideoFeed : public QObject {
   Q_OBJECT
  public:
@@ -33,11 +33,12 @@ class VideoFeed : public QObject {
   /// While it is paused no frame goes to the sink but those of step().
   void pause(bool on);
   void step();
-  /// 1: at the video's own rate. @pre positive
+  /// 1: at the video's own rate; a live source has no other. @pre positive
   void set_speed(double factor) { speed_ = factor; }
   /// Of the video that plays or played last.
   double frames_per_second() const { return rate_; }
-  /// When a frame left for the sink; empty for one long ago or never sent. Any thread.
+  /// When a frame left for the sink, or came from a live source; empty for one long ago or never sent. Any
+  /// thread.
   std::optional<Clock::time_point> sent_at(int index) const;
 
  signals:
@@ -46,6 +47,8 @@ class VideoFeed : public QObject {
 
  private:
   void play(const std::stop_token& stop, const engine::VideoSource& source, int first);
+  /// Whether a live frame goes on now, else never. @pre mutex_ is held.
+  bool passes_on();
   /// Until a frame is due. @return false: it is to stop.
   bool wait(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Clock::time_point& due);
 
