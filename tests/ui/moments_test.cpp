@@ -30,6 +30,7 @@ class UiMomentsTest : public QObject, protected GuidanceWindow {
   void ARecordingGoesOnBehindAMoment();
   void AnotherModelsOverlayIsNotDrawn();
   void TitlesAndDeletionsAreTakenBack();
+  void OneThatComesBackTakesAFreeNumber();
   void AnotherCaseHasNoneOfThem();
   void ATitleGoesToNoOtherCase();
   void WhatIsToldOfLesionsIsTheMoments();
@@ -232,6 +233,21 @@ void UiMomentsTest::TitlesAndDeletionsAreTakenBack() {
   QTest::mouseClick(undo, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(state()[part::moments]->moments[0]->title.empty(), 20000);
   QVERIFY(!undo->isEnabled());
+}
+
+void UiMomentsTest::OneThatComesBackTakesAFreeNumber() {
+  reach_registration(300);
+  track();
+  keep(1);
+  list().setCurrentRow(0);
+  QTest::mouseClick(child<QPushButton>("remove_moment"), Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(!state()[part::moments], 20000);
+  keep(1);  // numbers begin anew
+  const double seconds = state()[part::moments]->moments[0]->overlay.seconds;
+  QTest::mouseClick(child<QPushButton>("undo_moments"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(kept(), std::size_t{2}, 20000);
+  QCOMPARE(state()[part::moments]->moments[0]->overlay.seconds, seconds);
+  QCOMPARE(state()[part::moments]->moments[1]->number, 2);
 }
 
 void UiMomentsTest::AnotherCaseHasNoneOfThem() {

@@ -288,8 +288,16 @@ void MomentsModel::remove(int number) {
 
 void MomentsModel::undo() {
   if (former_.empty()) return;
-  engine_.post(std::move(former_.back()));
+  engine::Command step = std::move(former_.back());
   former_.pop_back();
+  // When the last one is deleted numbers begin anew: its own may be another's by now.
+  if (const auto* back = step.as<engine::KeepMoment>();
+      back != nullptr && engine::moment_of(engine_.state(), back->moment->number)) {
+    auto again = std::make_shared<engine::KeptMoment>(*back->moment);
+    again->number = 0;
+    step = engine::KeepMoment{std::move(again)};
+  }
+  engine_.post(std::move(step));
   can_undo = !former_.empty();
 }
 

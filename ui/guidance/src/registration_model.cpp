@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/former_registration.h"
@@ -34,11 +33,16 @@ void RegistrationModel::read_tasks() {
   is_being_made = ui::is_being_made(engine_, part::registration, engine::Lane::work);
 }
 
-/// What a file's reading notes is told elsewhere; an acceptance changes nothing but a doubt.
+/// What a file's reading notes is told elsewhere. Of a registration that is accepted, what was noted still
+/// holds.
 void RegistrationModel::read_outcome(const engine::Outcome& outcome) {
-  const bool is_another = outcome.traits.writes.has(part::registration) &&
-                          outcome.command != engine::AcceptRegistration().traits().code;
-  if (outcome.status != engine::Status::done || !is_another || !source_) return;
+  const bool is_written =
+      outcome.status == engine::Status::done && outcome.traits.writes.has(part::registration);
+  if (!is_written || !source_) return;
+  const bool has_moved =
+      noted_.rows() != source_->nodes_in_camera.rows() || noted_ != source_->nodes_in_camera;
+  if (outcome.traits.lane == engine::Lane::edits && !has_moved) return;
+  noted_ = source_->nodes_in_camera;
   std::vector<std::string> more;
   if (outcome.traits.notice == engine::Notice::ordinary)
     std::copy_if(

@@ -74,6 +74,7 @@ class RegistrationModel : public QObject {
 
   EngineBridge& engine_;
   std::shared_ptr<const Registration> source_;
+  Points noted_;            ///< nodes of the registration that the notes are of, in the camera's frame
   QStringList look_words_;  ///< one a lesion of `looked_for`
   int helped_most_ = -1;    ///< of these; -1: none much
   Couplings couplings_;
