@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <opencv2/core.hpp>
 
 #include "anchored_points.h"
 #include "filmed_phantom.h"
@@ -21,6 +22,11 @@ class FollowerTest : public QObject {
   void NewPointsLieOnTheTissue();
   void PointsFollowTheTissue();
   void AViewOfAnotherBrightnessIsFollowed();
+  void AHighlightStaysOneWhenTheLightRises();
+  void ALightThatComesBackSlowlyHidesNoTissue();
+  void TheLevelOfTheFirstFrameIsFoundAgain_data();
+  void TheLevelOfTheFirstFrameIsFoundAgain();
+  void ALightThatStaysAnotherIsTakenOver();
   void ForgottenFrameLeavesThePointsWhereTheyWere();
   void AFrameThatCannotBeReadChangesNothing();
   void LonelyGapIsInconsistentAndCommonMotionIsNot();
@@ -206,6 +212,29 @@ void FollowerTest::PicturesOfAnotherSizeAreRefused() {
 
 namespace {
 
+/// @param gain what the light is multiplied by, in both views.
+StereoFrame lit(StereoFrame frame, double gain) {
+  for (Picture* view : {&frame.left, &frame.right}) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*view->bytes);
+    for (std::uint8_t& byte : *bytes) byte = static_cast<std::uint8_t>(std::min(255.0, gain * byte));
+    view->bytes = std::move(bytes);
+  }
+  return frame;
+}
+
+/// How bright the views are that are followed in, over what the camera gave.
+double gain_of(const StereoFollower& follower, const StereoFrame& frame) {
+  double sum = 0.0;
+  for (const std::uint8_t byte : *frame.left.bytes) sum += byte;
+  return cv::mean(follower.grey(true))[0] * static_cast<double>(frame.left.bytes->size()) / sum;
+}
+
+/// New points on all of the tissue.
+int looked_for_again(StereoFollower& follower, const StereoFollower::Expected& expected) {
+  follower.keep(std::vector<char>(follower.points().size(), 0));
+  return follower.replenish(expected);
+}
+
 template <class Change>
 Picture changed(const Picture& picture, Change change) {
   auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
@@ -218,6 +247,86 @@ Picture changed(const Picture& picture, Change change) {
 }
 
 }  // namespace
+
+void FollowerTest::AHighlightStaysOneWhenTheLightRises() {
+  // The lamp is mirrored at one place of the tissue, and then the light rises by a fifth.
+  const Eigen::Vector2d at_left(160.0, 120.0);
+  const Eigen::Vector3d place = *expected()(at_left);
+  const Eigen::Vector2d at_right =
+      rig_.right.project(rig_.right_from_left.rotation * place + rig_.right_from_left.translation);
+  constexpr double kRadius = 14.0;
+  const auto mirrored = [&](StereoFrame frame) {
+    for (Picture* view : {&frame.left, &frame.right}) {
+      const Eigen::Vector2d middle = view == &frame.left ? at_left : at_right;
+      *view = changed(*view, [&](int x, int y, double grey) {
+        return (Eigen::Vector2d(x, y) - middle).norm() < kRadius ? 255.0 : grey;
+      });
+    }
+    return frame;
+  };
+  StereoFollower follower(rig_, options());
+  follower.begin(mirrored(lit(first_, 0.8)), {});
+  const auto on_highlight = [&] {
+    looked_for_again(follower, expected());
+    int count = 0;
+    for (const FollowedPoint& point : follower.points())
+      count += (point.left - at_left).norm() < kRadius + 3.0;
+    return count;
+  };
+  QCOMPARE(on_highlight(), 0);
+  follower.follow(mirrored(first_));
+  QCOMPARE(on_highlight(), 0);
+}
+
+void FollowerTest::ALightThatComesBackSlowlyHidesNoTissue() {
+  StereoFollower followed(rig_, options()), fresh(rig_, options());
+  followed.begin(first_, {});
+  followed.replenish(expected());
+  for (double light = 0.5; light < 1.0; light *= 1.04) followed.follow(lit(first_, light));
+  followed.follow(first_);
+  fresh.begin(first_, {});
+  // Brighter than it is, bright tissue would have no texture left, and pass for highlights.
+  QVERIFY2(std::abs(gain_of(followed, first_) - 1.0) < 0.01,
+           qPrintable(QString::number(gain_of(followed, first_))));
+  const int found = looked_for_again(followed, expected()), wanted = looked_for_again(fresh, expected());
+  QVERIFY2(found >= 0.9 * wanted, qPrintable(QString("%1 of %2").arg(found).arg(wanted)));
+}
+
+void FollowerTest::TheLevelOfTheFirstFrameIsFoundAgain_data() {
+  QTest::addColumn<double>("change");
+  QTest::newRow("darker") << 0.55;
+  QTest::newRow("brighter") << 1.0 / 0.55;
+}
+
+void FollowerTest::TheLevelOfTheFirstFrameIsFoundAgain() {
+  QFETCH(double, change);
+  // Two changes that together are more than is made up for, and back.
+  const StereoFrame start = lit(first_, change > 1.0 ? 0.3 : 1.0);
+  StereoFollower follower(rig_, options());
+  follower.begin(start, {});
+  for (const double gain : {change, change * change, change}) follower.follow(lit(start, gain));
+  follower.follow(start);
+  QVERIFY2(std::abs(gain_of(follower, start) - 1.0) < 0.03,
+           qPrintable(QString::number(gain_of(follower, start))));
+}
+
+void FollowerTest::ALightThatStaysAnotherIsTakenOver() {
+  const StereoFrame dark = lit(first_, 0.6);
+  StereoFollower follower(rig_, options());
+  follower.begin(first_, {});
+  const int began = follower.replenish(expected());
+  follower.follow(dark);
+  double gain = gain_of(follower, dark);
+  QVERIFY2(std::abs(gain - 1.0 / 0.6) < 0.05, qPrintable(QString::number(gain)));
+  for (int k = 0; k < 100; ++k) follower.follow(dark);
+  gain = gain_of(follower, dark);
+  QVERIFY2(std::abs(gain - 1.0) < 0.01, qPrintable(QString::number(gain)));
+  // Slowly enough that no point moves.
+  QVERIFY2(follower.points().size() > 0.9 * began, qPrintable(QString::number(follower.points().size())));
+  for (const FollowedPoint& point : follower.points())
+    QVERIFY2(tree_.closest(point.p_in_camera).distance < 8e-3,
+             qPrintable(QString::number(1e3 * tree_.closest(point.p_in_camera).distance)));
+}
 
 void FollowerTest::ABeadDoesNotHidePlainTissue() {
   // A real liver's texture is faint, and what lies on it (a clip, the rim of a highlight) is not.

@@ -16,7 +16,7 @@
 namespace glisson::guidance {
 namespace {
 
-/// Grey levels from which a pixel is a highlight: it belongs to the lamp, not to the tissue.
+/// Grey levels of the camera from which a pixel is a highlight: it belongs to the lamp, not to the tissue.
 constexpr int kHighlight = 245;
 
 /// Lucas-Kanade's least eigenvalue, thousandths of squared slopes: a tenth of a grey level a pixel. Corners
@@ -24,8 +24,9 @@ constexpr int kHighlight = 245;
 constexpr double kFlattest = 1e-5;
 
 struct View {
-  cv::Mat grey;
-  double level = 1.0, gain = 1.0;  ///< mean of what the camera gave; what it was multiplied by
+  cv::Mat raw, grey;    ///< what the camera gave; multiplied by the gain, within its limits
+  double level = 1.0;   ///< mean of `raw`
+  double wanted = 1.0;  ///< gain that brings `raw` to the level at the start
   std::vector<cv::Mat> pyramid;
 };
 
@@ -37,23 +38,27 @@ void to_grey(const Picture& picture, const Camera& camera, const char* name, cv:
     cv::cvtColor(view_of(picture), grey, cv::COLOR_BGR2GRAY);
 }
 
+/// The gain that follows `before` where the mean level changes by this factor. A sudden change is of the
+/// light (lamp, exposure) and is made up for: Lucas-Kanade would find nothing. A slow change is left alone:
+/// it may be what is seen, and would be taken for motion. A gain goes back to one, because a brightened
+/// picture has no texture where it is full: as fast as the light comes back, and slowly where it does not.
+/// @return without the limits of what is applied, so that two changes and back end where they began.
+double next_gain(double before, double change) {
+  constexpr double kSudden = 0.08, kBack = 0.01;  // a frame; kBack is far below what is left alone
+  if (std::abs(change - 1.0) > kSudden) return before / change;
+  if (before > 1.0) return std::max(1.0, before / std::max(change, 1.0 + kBack));
+  return std::min(1.0, before / std::min(change, 1.0 - kBack));
+}
+
 /// Into buffers that are used again: fresh ones would cost milliseconds of page faults a frame.
-/// @param before the view that is followed from; null: none. Where the light has changed between the two
-/// (lamp, exposure), the new one is brought to its level: Lucas-Kanade would find nothing. A slow change is
-/// left alone: it may be what is seen, and would be taken for motion.
+/// @param before the view that is followed from, to whose level the new one is brought; null: none.
 void make_view(const Picture& picture, const Camera& camera, const char* name, const FollowerOptions& options,
                const View* before, View& view) {
-  constexpr double kMostGain = 2.0, kSudden = 0.08;
-  to_grey(picture, camera, name, view.grey);
-  view.level = std::max(1.0, cv::mean(view.grey)[0]);
-  view.gain = 1.0;
-  if (before != nullptr) {
-    const double change = view.level / before->level;
-    view.gain = before->gain;
-    if (std::abs(change - 1.0) > kSudden)
-      view.gain = std::clamp(before->gain / change, 1.0 / kMostGain, kMostGain);
-    if (view.gain != 1.0) view.grey.convertTo(view.grey, -1, view.gain);
-  }
+  constexpr double kMostGain = 2.0;
+  to_grey(picture, camera, name, view.raw);
+  view.level = std::max(1.0, cv::mean(view.raw)[0]);
+  view.wanted = before != nullptr ? next_gain(before->wanted, view.level / before->level) : 1.0;
+  view.raw.convertTo(view.grey, -1, std::clamp(view.wanted, 1.0 / kMostGain, kMostGain));
   cv::buildOpticalFlowPyramid(view.grey, view.pyramid, cv::Size(options.window_px, options.window_px),
                               options.levels - 1, true);
 }
@@ -309,9 +314,10 @@ int StereoFollower::replenish(const Expected& expected) {
   if (wanted <= 0) return 0;
   const View& left = images_->left;
   // Corners are looked for at half the size: a quarter of the time, and Lucas-Kanade needs no better place.
-  cv::Mat half, allowed;
+  cv::Mat half, raw, allowed;
   cv::resize(left.grey, half, cv::Size(), 0.5, 0.5, cv::INTER_AREA);
-  cv::compare(half, kHighlight, allowed, cv::CMP_LT);
+  cv::resize(left.raw, raw, cv::Size(), 0.5, 0.5, cv::INTER_AREA);
+  cv::compare(raw, kHighlight, allowed, cv::CMP_LT);
   cv::erode(allowed, allowed, cv::Mat(), cv::Point(-1, -1), 3);
   if (!images_->tissue.empty()) {
     cv::Mat tissue;
