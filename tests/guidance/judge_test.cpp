@@ -5,6 +5,7 @@
 #include "alarm.h"
 #include "glisson/core/error.h"
 #include "glisson/guidance/tracker.h"
+#include "glisson/registration/moving_surface.h"
 #include "judge.h"
 #include "judged_film.h"
 #include "lifted_tissue.h"
@@ -28,6 +29,8 @@ class JudgeTest : public QObject, private phantom::JudgedFilm {
   void APartThatIsLiftedIsWithdrawn_data();
   void APartThatIsLiftedIsWithdrawn();
   void AToolInFrontIsNoLiftedOrgan();
+  void AToolThatHoldsTheOrganIsNoTissue();
+  void WhatAMaskCoversIsNotKeptAndJudgedAllTheSame();
   void WhatLiesNearerIsTheOrganByItsBorderOrItsPoints();
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
@@ -203,6 +206,44 @@ void JudgeTest::AToolInFrontIsNoLiftedOrgan() {
   QVERIFY2(evidence.before > 0.1, qPrintable(QString::number(evidence.before)));
   QVERIFY2(evidence.lifted < 0.5 * JudgeOptions().lifted && evidence.local < JudgeOptions().local,
            qPrintable(QString("lifted %1, local %2").arg(evidence.lifted).arg(evidence.local)));
+}
+
+void JudgeTest::AToolThatHoldsTheOrganIsNoTissue() {
+  SurfaceCheck check(model_, rig_, {});
+  registration::MovingSurface organ(model_);
+  organ.move(nodes_);
+  const auto far_from_it = [&](const SurfaceEvidence& evidence) {
+    int count = 0;
+    for (const Eigen::Vector3d& place : evidence.tissue)
+      count += organ.closest(Feature::surface, place).distance > 10e-3;
+    return count;
+  };
+  const SurfaceEvidence open = check.check(first_.left, first_.right, nodes_, nodes_);
+  QCOMPARE(far_from_it(open), 0);
+  QVERIFY(open.tissue.size() > 100);
+  const double depth = nodes_.col(2).minCoeff() - 16e-3;
+  const StereoFrame held = behind_a_tool(first_, 22.0, depth);
+  const SurfaceEvidence evidence = check.check(held.left, held.right, nodes_, nodes_);
+  QVERIFY2(evidence.before > 0.05, qPrintable(QString::number(evidence.before)));
+  QVERIFY2(far_from_it(evidence) == 0, qPrintable(QString::number(far_from_it(evidence))));
+  QVERIFY2(evidence.tissue.size() > 0.5 * static_cast<double>(open.tissue.size()),
+           qPrintable(QString("%1 of %2").arg(evidence.tissue.size()).arg(open.tissue.size())));
+}
+
+void JudgeTest::WhatAMaskCoversIsNotKeptAndJudgedAllTheSame() {
+  SurfaceCheck check(model_, rig_, {});
+  const auto seen = [&](const Picture& not_liver) {
+    return check.check(first_.left, first_.right, nodes_, nodes_, {}, not_liver);
+  };
+  Picture mask = phantom::plain(rig_.left, 0);
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*mask.bytes);
+  for (std::size_t i = 0; i < bytes->size(); ++i)
+    if (i % 320 < 160) (*bytes)[i] = 255;
+  mask.bytes = bytes;
+  const SurfaceEvidence open = seen({}), masked = seen(mask);
+  QVERIFY(!masked.tissue.empty() && masked.tissue.size() < 0.8 * static_cast<double>(open.tissue.size()));
+  for (const Eigen::Vector3d& place : masked.tissue) QVERIFY(rig_.left.project(place).x() > 150.0);
+  QVERIFY(masked.supported == open.supported && masked.pull == open.pull);
 }
 
 void JudgeTest::WhatLiesNearerIsTheOrganByItsBorderOrItsPoints() {

@@ -18,13 +18,14 @@ class JudgedFilm {
   Points moved(const Eigen::Vector3d& by) const { return nodes_.rowwise() + by.transpose(); }
   /// A film of the body moving down by half a millimetre a frame.
   StereoFrame frame(int k) const { return film(model_, moved({0.0, 0.5e-3 * k, -0.2e-3 * k}), rig_, k); }
-  /// Something flat and textured before the organ, 60 mm before the lens. @param half pixels of its width.
-  StereoFrame behind_a_tool(const StereoFrame& frame, double half = 22.0) const {
+  /// Something flat and textured before the organ. @param half pixels of its width. @param depth metres
+  /// before the lens.
+  StereoFrame behind_a_tool(const StereoFrame& frame, double half = 22.0, double depth = 60e-3) const {
     StereoFrame covered = frame;
     for (Picture* picture : {&covered.left, &covered.right}) {
       auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
       // The cameras turn towards each other by 0.02, so what is far is shifted, too.
-      const double shift = picture == &covered.left ? 0.0 : 260.0 * (5e-3 / 60e-3 - 0.02);
+      const double shift = picture == &covered.left ? 0.0 : 260.0 * (5e-3 / depth - 0.02);
       for (int y = 0; y < picture->height; ++y)
         for (int x = 0; x < picture->width; ++x)
           if (const double u = x + shift, across = u - 190.0 + 0.3 * (y - 120.0); std::abs(across) < half)

@@ -23,6 +23,7 @@ void HeldOut::take(const std::shared_ptr<const PictureMask>& mask, double now, c
                     mask->not_liver.height == camera_.height;
   if (!fits) {
     mask_.reset();
+    widened_ = {};
     use_.reset();
     most_masked_.set(false);
     return;
@@ -32,7 +33,8 @@ void HeldOut::take(const std::shared_ptr<const PictureMask>& mask, double now, c
     cv::Mat wide;
     const cv::Size side(2 * margin_ + 1, 2 * margin_ + 1);
     cv::dilate(grey_of(mask->not_liver), wide, cv::getStructuringElement(cv::MORPH_RECT, side));
-    widened_.assign(wide.datastart, wide.dataend);
+    widened_ = {wide.cols, wide.rows, 1,
+                std::make_shared<std::vector<std::uint8_t>>(wide.datastart, wide.dataend)};
     use_ = MaskUse{share_of(surface)};
     most_masked_.push(use_->share, most_, kRelief * most_);
   }
@@ -74,11 +76,11 @@ std::vector<char> HeldOut::free(const std::vector<FollowedPoint>& points) {
 
 bool HeldOut::is_free(const Eigen::Vector2d& left) const { return !mask_ || !is_masked(widened_, left); }
 
-bool HeldOut::is_masked(const std::vector<std::uint8_t>& bytes, const Eigen::Vector2d& left) const {
+bool HeldOut::is_masked(const Picture& mask, const Eigen::Vector2d& left) const {
   if (!camera_.sees(left)) return false;
   const long column = std::clamp(std::lround(left.x()), 0L, static_cast<long>(camera_.width) - 1);
   const long row = std::clamp(std::lround(left.y()), 0L, static_cast<long>(camera_.height) - 1);
-  return bytes[static_cast<std::size_t>(row * camera_.width + column)] != 0;
+  return (*mask.bytes)[static_cast<std::size_t>(row * camera_.width + column)] != 0;
 }
 
 double HeldOut::share_of(const TriangleMesh& surface) const {
@@ -93,7 +95,7 @@ double HeldOut::share_of(const TriangleMesh& surface) const {
     if (!camera_.sees(pixel)) continue;
     const double area = 0.5 * normal.norm();
     all += area;
-    if (is_masked(*mask_->not_liver.bytes, pixel)) masked += area;
+    if (is_masked(mask_->not_liver, pixel)) masked += area;
   }
   return all > 0.0 ? masked / all : 0.0;
 }

@@ -46,6 +46,8 @@ class HeldOut {
   std::vector<char> free(const std::vector<FollowedPoint>& points);
   /// Whether a point may begin at a left pixel.
   bool is_free(const Eigen::Vector2d& left) const;
+  /// The mask that is asked, widened by half a window. Empty: there is none.
+  const Picture& masked() const { return widened_; }
   /// Of the points that free() held out last, those that no mask has ever called liver: what is remembered of
   /// them is not the liver's.
   const std::vector<int>& never_liver() const { return never_liver_; }
@@ -59,15 +61,15 @@ class HeldOut {
 
   /// Of the surface's area before the camera and in the picture.
   double share_of(const TriangleMesh& surface) const;
-  bool is_masked(const std::vector<std::uint8_t>& bytes, const Eigen::Vector2d& left) const;
+  bool is_masked(const Picture& mask, const Eigen::Vector2d& left) const;
 
   Camera camera_;
   int margin_;
   double most_;
   std::shared_ptr<const PictureMask> mask_;
-  std::vector<std::uint8_t> widened_;  ///< by the margin
-  std::deque<Places> places_;          ///< by frame
-  std::set<int> liver_;                ///< ids that a mask has let pass
+  Picture widened_;            ///< by the margin
+  std::deque<Places> places_;  ///< by frame
+  std::set<int> liver_;        ///< ids that a mask has let pass
   std::vector<int> never_liver_;
   std::optional<MaskUse> use_;
   Alarm most_masked_{2, 3};  ///< masks

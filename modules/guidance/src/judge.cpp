@@ -116,13 +116,13 @@ struct Judge::Impl {
   }
 
   void look_at_surface(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
-                       const Points& nodes) {
+                       const Points& nodes, const Picture& not_liver) {
     compare_surface();
     // While nothing is shown because the model was set elsewhere, one surface is made after the other.
     if (!pending.valid() && clock.is_due(looked, undecided ? options.lag : options.every)) {
       looked = clock.now();
-      pending = std::async(std::launch::async, [this, frame, points, nodes, now = shape] {
-        return surface.check(frame.left, frame.right, nodes, now, points);
+      pending = std::async(std::launch::async, [this, frame, points, nodes, not_liver, now = shape] {
+        return surface.check(frame.left, frame.right, nodes, now, points, not_liver);
       });
       compare_surface();
     }
@@ -263,9 +263,9 @@ bool Judge::refutes() const { return impl_->refutes(); }
 bool Judge::is_undecided() const { return impl_->undecided; }
 
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
-                      OverlayFrame& overlay) {
+                      OverlayFrame& overlay, const Picture& not_liver) {
   impl_->clock.tick(frame.seconds);
-  impl_->look_at_surface(frame, points, overlay.nodes_in_camera);
+  impl_->look_at_surface(frame, points, overlay.nodes_in_camera, not_liver);
   impl_->look_at_pictures(frame);
   impl_->look_at_motion(frame, points);
   overlay.evidence = impl_->evidence;

@@ -36,8 +36,11 @@ class Judge {
   bool is_undecided() const;
   /// @param points that were followed into this frame.
   /// @param overlay one that the tracker takes for valid; its evidence is filled in.
+  /// @param not_liver empty, or a mask of the left picture: what it covers is not kept as tissue(). No
+  /// evidence knows of it.
   /// @return what to say of it.
-  Validity judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points, OverlayFrame& overlay);
+  Validity judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points, OverlayFrame& overlay,
+                 const Picture& not_liver = {});
 
  private:
   struct Impl;

@@ -33,6 +33,15 @@ constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies
 /// wrong; one farther than kBesideRim beside its rim has no place on it.
 constexpr double kTissue = 20e-3, kBesideRim = 2e-3;
 
+/// Whether a picture is not zero there. @pre it is not empty.
+bool is_set(const Picture& picture, const Eigen::Vector2d& pixel) {
+  const auto x = static_cast<std::size_t>(std::lround(pixel.x())),
+             y = static_cast<std::size_t>(std::lround(pixel.y()));
+  const auto at =
+      static_cast<std::size_t>(picture.channels) * (y * static_cast<std::size_t>(picture.width) + x);
+  return at < picture.bytes->size() && (*picture.bytes)[at] != 0;
+}
+
 }  // namespace
 
 struct SurfaceCheck::Impl {
@@ -51,12 +60,7 @@ struct SurfaceCheck::Impl {
     return static_cast<std::size_t>(row * stereo.columns() + column);
   }
   bool is_allowed(const Eigen::Vector2d& pixel, const Camera& camera) const {
-    if (!camera.sees(pixel)) return false;
-    if (mask.empty()) return true;
-    const auto x = static_cast<std::size_t>(std::lround(pixel.x())),
-               y = static_cast<std::size_t>(std::lround(pixel.y()));
-    const auto at = static_cast<std::size_t>(mask.channels) * (y * static_cast<std::size_t>(mask.width) + x);
-    return at < mask.bytes->size() && (*mask.bytes)[at] != 0;
+    return camera.sees(pixel) && (mask.empty() || is_set(mask, pixel));
   }
   int region(int column, int row) const {
     return kRegions * (kRegions * row / stereo.rows()) + kRegions * column / stereo.columns();
@@ -150,7 +154,7 @@ struct SurfaceCheck::Impl {
                SurfaceEvidence& evidence) {
     for (const double z : depth) evidence.predicted += z > 0.0;
     look_at_regions(classify(points, evidence), evidence);
-    const std::vector<char> lifted = lifted_places(grid_of(points, followed));
+    lifted = lifted_places(grid_of(points, followed));
     int inside = 0, supported = 0, behind = 0, before = 0, organ = 0;
     for (int r = 0; r < stereo.rows(); ++r)
       for (int c = 0; c < stereo.columns(); ++c) {
@@ -241,8 +245,17 @@ struct SurfaceCheck::Impl {
     evidence.pull_sigma = found.sigma;
   }
 
-  /// Places of the material as `shape` has them. Without what lies before or behind the organ.
-  std::vector<Eigen::Vector3d> tissue(const std::vector<SeenPoint>& points, const Points& shape) {
+  /// Whether the organ itself is seen there, and not something that lies before it, however long it rests.
+  bool is_organ(const SeenPoint& point, const Picture& not_liver) const {
+    const std::size_t i = index(point.column, point.row);
+    if (depth[i] <= 0.0 || (is_before[i] != 0 && lifted[i] == 0)) return false;
+    return not_liver.empty() || !is_set(not_liver, stereo.pixel(point.column, point.row));
+  }
+
+  /// Places of the material as `shape` has them. Without what lies before the organ, or far from it.
+  /// @pre compare().
+  std::vector<Eigen::Vector3d> tissue(const std::vector<SeenPoint>& points, const Points& shape,
+                                      const Picture& not_liver) {
     std::vector<Eigen::Vector3d> places;
     if (shape.rows() == 0) return places;
     if (shape.rows() != shape_now.rows() || shape != shape_now) {
@@ -250,7 +263,7 @@ struct SurfaceCheck::Impl {
       shape_now = shape;
     }
     for (const SeenPoint& point : points) {
-      if (depth[index(point.column, point.row)] <= 0.0) continue;
+      if (!is_organ(point, not_liver)) continue;
       const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
       if (at.triangle < 0 || at.distance > kTissue) continue;
       const Eigen::Vector3d normal = surface.normal(at, normals);
@@ -267,7 +280,7 @@ struct SurfaceCheck::Impl {
   registration::NormalMemo normals;  ///< of surface
   SmallStereo stereo;
   Picture mask;
-  std::vector<char> allowed, is_behind, is_before, is_supported;
+  std::vector<char> allowed, is_behind, is_before, is_supported, lifted;
   std::vector<ClosestPoint> hit;
   std::vector<double> depth, inclination;
 };
@@ -277,7 +290,8 @@ SurfaceCheck::SurfaceCheck(const PatientModel& model, const StereoRig& rig, cons
 SurfaceCheck::~SurfaceCheck() = default;
 
 SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
-                                    const Points& shape, const std::vector<FollowedPoint>& followed) {
+                                    const Points& shape, const std::vector<FollowedPoint>& followed,
+                                    const Picture& not_liver) {
   SurfaceEvidence evidence;
   std::vector<SeenPoint> points = impl_->stereo.see(left, right);
   std::erase_if(points, [&](const SeenPoint& point) {
@@ -286,7 +300,7 @@ SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, c
   impl_->predict(nodes_in_camera);
   impl_->compare(points, followed, evidence);
   impl_->fit(points, evidence);
-  evidence.tissue = impl_->tissue(points, shape);
+  evidence.tissue = impl_->tissue(points, shape, not_liver);
   return evidence;
 }
 

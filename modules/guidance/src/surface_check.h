@@ -42,9 +42,11 @@ class SurfaceCheck {
   /// @param nodes_in_camera the overlay's at this pair's moment.
   /// @param shape any other shape of the same nodes, for `tissue`; empty: none.
   /// @param followed the points that are followed in this pair.
+  /// @param not_liver empty, or of the left picture's size and non-zero where no tissue is to be kept.
   /// @throws InputError pictures of another size.
   SurfaceEvidence check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
-                        const Points& shape = {}, const std::vector<FollowedPoint>& followed = {});
+                        const Points& shape = {}, const std::vector<FollowedPoint>& followed = {},
+                        const Picture& not_liver = {});
 
  private:
   struct Impl;

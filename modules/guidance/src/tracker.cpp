@@ -378,7 +378,7 @@ struct Tracker::Impl {
     }
     overlay.nodes_in_camera = body.positions();
     if (judge && overlay.validity == Validity::valid)
-      overlay.validity = judge->judge(frame, follower->points(), overlay);
+      overlay.validity = judge->judge(frame, follower->points(), overlay, held_out->masked());
     if (overlay.validity == Validity::valid && held_out && held_out->is_most())
       overlay.validity = Validity::mostly_masked;
     if (overlay.validity == Validity::valid || overlay.validity == Validity::mostly_masked) {
