@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/guidance/tracker.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/registration/register_again.h"
 #include "tissue_map.h"
 
@@ -22,6 +23,7 @@ class AgainTest : public QObject {
   void AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs();
   void AWrongStartIsRegisteredAgainAndShown();
   void AShownOrganGoesOverGently();
+  void ALesionsRegionGoesOverWithItsOrgan();
   void ItGoesOverWhereTheSourceTellsNoTime();
   void WhatHandsHaveSaidIsKept();
   void WhatCannotBeFollowedIsRefusedAndNothingChanges();
@@ -138,6 +140,26 @@ void AgainTest::AShownOrganGoesOverGently() {
     last = now;
   }
   QVERIFY2(last > 0.9e-3, qPrintable(QString::number(1e3 * last)));  // it has gone
+}
+
+void AgainTest::ALesionsRegionGoesOverWithItsOrgan() {
+  PatientModel model = film_.model;
+  for (int t = 0; t < 6; ++t) model.mesh.labels[static_cast<std::size_t>(200 + t)] = structure::kFirstLesion;
+  Points centre(1, 3);
+  centre.row(0) = lesion_centres(model).front().second.transpose();
+  const Binding binding = bind_points(model.mesh, centre);
+  const auto apart = [&](const OverlayFrame& overlay) {
+    const Points drawn = binding.apply(model.mesh, overlay.nodes_in_camera);
+    return (overlay.lesions.front().centre - drawn.row(0).transpose()).norm();
+  };
+  Tracker tracker(model, film_.start, phantom::free_body());
+  tracker.begin(film_.rig, film_.frame(0), {});
+  QVERIFY(followed(tracker, 1, 12).validity == Validity::valid);
+  QVERIFY(apart(tracker.take(off({3e-3, 0.0, 0.0}))) < 1e-9);
+  for (int k = 13; k <= 45; ++k) {
+    const double now = apart(tracker.follow(frame(k)));
+    QVERIFY2(now < 1e-9, qPrintable(QString("frame %1: %2 mm").arg(k).arg(1e3 * now)));
+  }
 }
 
 void AgainTest::ItGoesOverWhereTheSourceTellsNoTime() {

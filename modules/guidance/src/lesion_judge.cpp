@@ -232,6 +232,13 @@ std::vector<LesionVerdict> LesionJudge::judge(const OverlayFrame& overlay, const
   return verdicts;
 }
 
+void LesionJudge::carry(OverlayFrame& overlay) const {
+  if (overlay.lesions.size() != impl_->lesions.size()) return;  // none were judged
+  const Points centres = impl_->binding.apply(impl_->mesh, overlay.nodes_in_camera);
+  for (std::size_t i = 0; i < overlay.lesions.size(); ++i)
+    overlay.lesions[i].centre = centres.row(static_cast<Eigen::Index>(i)).transpose();
+}
+
 std::vector<LesionVerdict> LesionJudge::at_start(Validity validity) const {
   std::vector<LesionVerdict> verdicts;
   const Points centres = impl_->binding.apply(impl_->mesh, impl_->start);

@@ -296,10 +296,12 @@ struct Tracker::Impl {
   OverlayFrame drawn(OverlayFrame overlay) {
     if (!going_over) return overlay;
     const double share = 1.0 - (clock.now() - going_over->since) / kGentle;
-    if (share <= 0.0 || overlay.nodes_in_camera.rows() == 0)
+    if (share <= 0.0 || overlay.nodes_in_camera.rows() == 0) {
       going_over.reset();
-    else
-      overlay.nodes_in_camera += share * hand->carried(going_over->way_back, body.positions());
+      return overlay;
+    }
+    overlay.nodes_in_camera += share * hand->carried(going_over->way_back, body.positions());
+    lesions.carry(overlay);
     return overlay;
   }
 

@@ -46,6 +46,8 @@ class LesionJudge {
   /// Frames in their order. @param tracked places of the organ that were seen in this frame, camera frame.
   /// @return one verdict a lesion of the model, by label.
   std::vector<LesionVerdict> judge(const OverlayFrame& overlay, const PointsIn<CameraFrame>& tracked);
+  /// Puts the lesions of an overlay where its organ is, when that is drawn elsewhere than it was judged.
+  void carry(OverlayFrame& overlay) const;
   /// Of the registered frame itself, which is not followed.
   std::vector<LesionVerdict> at_start(Validity validity) const;
 
