@@ -207,6 +207,15 @@ void AgainTest::WhatCannotBeFollowedIsRefusedAndNothingChanges() {
   foreign = film_.start;
   foreign.nodes_in_camera(3, 1) = std::nan("");
   QVERIFY_THROWS_EXCEPTION(InputError, tracker.take(foreign));
+  foreign = film_.start;  // inside out
+  foreign.nodes_in_camera.col(2) = 2.0 * film_.nodes.col(2).mean() - foreign.nodes_in_camera.col(2).array();
+  try {
+    tracker.take(foreign);
+    QFAIL("taken");
+  } catch (const InputError& refused) {
+    QCOMPARE(QString::fromStdString(refused.file()), QString("registration"));
+    QVERIFY2(QString::fromStdString(refused.problem()).startsWith("cannot be followed: "), refused.what());
+  }
   Tracker other = begun(film_.start);
   followed(other, 1, 3);
   QVERIFY(tracker.follow(frame(4)).nodes_in_camera == other.follow(frame(4)).nodes_in_camera);

@@ -23,6 +23,7 @@ class CorrectionTest : public QObject {
   void PiecesOfOneGestureCountAsOneDrag();
   void AWrongCorrectionIsWithdrawnByTheSurface();
   void AFarOrUnseenPlaceIsRefusedAndNothingChanges();
+  void ADragThatTurnsElementsInsideOutIsRefusedAsOne();
   void APixelPicksWhatIsSeenThere();
 
  private:
@@ -234,6 +235,25 @@ void CorrectionTest::AFarOrUnseenPlaceIsRefusedAndNothingChanges() {
   refused([](Correction&) {});
   QVERIFY(tracker.corrections().empty());
   QVERIFY(error(tracker.follow(frame(2)), truth(2)) < 1e-3);
+}
+
+void CorrectionTest::ADragThatTurnsElementsInsideOutIsRefusedAsOne() {
+  // The rim's end, pushed far into the organ.
+  Tracker tracker = begun({0.0, 0.0, 0.0}), left_alone = begun({0.0, 0.0, 0.0});
+  const OverlayFrame before = tracker.follow(frame(1));
+  left_alone.follow(frame(1));
+  Correction wanted = drag(rim(40), before.nodes_in_camera, truth(1));
+  wanted.sigma_px = 0.5;
+  wanted.to += Eigen::Vector2d(-60.0, 0.0);
+  try {
+    tracker.correct(wanted);
+    QFAIL("corrected");
+  } catch (const InputError& refused) {
+    QCOMPARE(QString::fromStdString(refused.file()), QString("correction"));
+    QCOMPARE(QString::fromStdString(refused.remedy()), QString("Drag less far, or register again"));
+  }
+  QVERIFY(tracker.corrections().empty());
+  QVERIFY(tracker.follow(frame(2)).nodes_in_camera == left_alone.follow(frame(2)).nodes_in_camera);
 }
 
 void CorrectionTest::APixelPicksWhatIsSeenThere() {

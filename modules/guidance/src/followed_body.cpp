@@ -39,19 +39,19 @@ FollowedBody::FollowedBody(const PatientModel& model, const Points& start_in_cam
   place(start_in_camera);
 }
 
-std::shared_ptr<const fem::CompositeModel> FollowedBody::resting_in(const Points& shape) const {
-  const PatientModel rest = registration::moved_to(mechanics_, shape);
-  return std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, materials_);
+std::shared_ptr<const fem::CompositeModel> FollowedBody::resting_in(const Points& shape, const char* what,
+                                                                    const char* remedy) const {
+  try {
+    const PatientModel rest = registration::moved_to(mechanics_, shape);
+    return std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, materials_);
+  } catch (const InputError& failure) {
+    throw InputError(what, "mesh", std::string("cannot be followed: ") + failure.what(), remedy);
+  }
 }
 
 void FollowedBody::rest_here() {
   const Points here = positions();
-  try {
-    composite_ = resting_in(here);
-  } catch (const InputError& failure) {
-    throw InputError("start", "mesh", std::string("cannot be followed: ") + failure.what(),
-                     "Register again, from more of the surface");
-  }
+  composite_ = resting_in(here);
   integrator_ = fem::Integrator(composite_, integration_);
   integrator_.set_state(here);
 }

@@ -26,8 +26,12 @@ class FollowedBody {
 
   /// From now on the present shape is the one at rest. @throws InputError it cannot be followed.
   void rest_here();
-  /// The composite of this organ that is free of stress in another shape.
-  std::shared_ptr<const fem::CompositeModel> resting_in(const Points& shape) const;
+  /// The composite of this organ that is free of stress in another shape. @param what brought it there, and
+  /// what to do when it cannot be followed there, for the error. @throws InputError it has elements inside
+  /// out.
+  std::shared_ptr<const fem::CompositeModel> resting_in(
+      const Points& shape, const char* what = "start",
+      const char* remedy = "Register again, from more of the surface") const;
   const std::shared_ptr<const fem::CompositeModel>& composite() const { return composite_; }
 
   /// Moves the whole patient rigidly in the camera's frame, boundary springs included, as a motion of the

@@ -216,7 +216,9 @@ struct Tracker::Impl {
   /// The registered shape is another one: mechanics, springs and all that is bound go along, and the tissue
   /// that is followed stays where it is.
   void take_shape(const Points& shape, const BindingChange& change) {
-    take_shape(shape, change, options.hold_start ? body.resting_in(shape) : body.composite());
+    take_shape(shape, change,
+               options.hold_start ? body.resting_in(shape, "correction", "Drag less far, or register again")
+                                  : body.composite());
   }
   void take_shape(const Points& shape, const BindingChange& change,
                   std::shared_ptr<const fem::CompositeModel> resting) {
@@ -248,8 +250,8 @@ struct Tracker::Impl {
     HandCorrections::Step former{hand->shape(),     body.positions(),  body.velocities(), body.springs(),
                                  anchors.anchors(), memory->anchors(), relocator->save(), frames};
     const BindingChange change = hand->change_to(proposal.shape);
-    going_over.reset();  // what a hand has set does not go on moving
     take_shape(proposal.shape, change);
+    going_over.reset();  // what a hand has set does not go on moving
     relocator->rebind(change.of_surface);
     hand->accept(proposal, std::move(former), last);
     return corrected();
@@ -271,7 +273,7 @@ struct Tracker::Impl {
   OverlayFrame take(const Registration& registration) {
     require_followed("registration");
     check(patient, registration);
-    const auto resting = body.resting_in(registration.nodes_in_camera);
+    const auto resting = body.resting_in(registration.nodes_in_camera, "registration");
     HandCorrections::Renewal renewal =
         hand->renewed(resting, registration.nodes_in_camera, anchors.anchors());
     const Points former = hand->shape();

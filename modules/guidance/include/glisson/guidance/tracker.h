@@ -108,7 +108,7 @@ class Tracker {
   /// moment's frame. All that is bound goes along, as for correct(); hands' corrections are kept in it, and
   /// can no longer be taken back. Of an organ that is drawn, the picture changes over a second.
   /// @return the last frame's overlay as it is now. @throws InputError the organ was not followed in pictures
-  ///   there, one that is not of this model, or not finite; nothing has changed.
+  ///   there, one that is not of this model, not finite or inside out; nothing has changed.
   OverlayFrame take(const Registration& registration);
   /// Where fresh stereo has seen the tissue since begin(), all looks joined in the moment of `start`: its
   /// left camera's frame, metres. Null: three looks have not yet been had.
