@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <cmath>
+#include <random>
 
 #include "filmed_phantom.h"
 #include "glisson/guidance/tracker.h"
@@ -19,6 +20,8 @@ class CloudFollowerTest : public QObject {
   void TheFirstCloudElsewhereIsToldAndForgotten();
   void WhatNoTissueExplainsIsNoFailureOfTheMechanics_data();
   void WhatNoTissueExplainsIsNoFailureOfTheMechanics();
+  void WhatIsNotValidMovesNothing_data();
+  void WhatIsNotValidMovesNothing();
   void PointsWithoutDepthAreLeftOut_data() { methods(); }
   void PointsWithoutDepthAreLeftOut();
 
@@ -152,6 +155,41 @@ void CloudFollowerTest::WhatNoTissueExplainsIsNoFailureOfTheMechanics() {
   const LabelledCloud next = cloud(0.4, 2);
   QVERIFY(one.follow(next, 2, 2.0 / 30.0, kSteps).nodes_in_camera ==
           another.follow(next, 2, 2.0 / 30.0, kSteps).nodes_in_camera);
+}
+
+void CloudFollowerTest::WhatIsNotValidMovesNothing_data() {
+  QTest::addColumn<bool>("scattered");
+  QTest::newRow("too few pairs") << false;
+  QTest::newRow("too large a residual") << true;
+}
+
+void CloudFollowerTest::WhatIsNotValidMovesNothing() {
+  QFETCH(bool, scattered);
+  const int springs = static_cast<int>(registration::Method::springs);
+  Tracker one = tracker(springs), another = tracker(springs);
+  const OverlayFrame before = one.follow(cloud(0.5, 1), 0, 0.0, kSteps);
+  another.follow(cloud(0.5, 1), 0, 0.0, kSteps);
+  LabelledCloud poor = moved(cloud(0.5, 3), {0.0, 0.0, -6e-3});
+  if (scattered) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0.0, 12e-3);
+    for (int i = 0; i < poor.size(); ++i) poor.points(i, 2) += noise(random);
+  } else {  // enough points, of which a few lie each somewhere else
+    const int every = poor.size() / 36;
+    for (int i = 0; i < 36; ++i) poor.points.row(i) = poor.points.row(i * every).eval();
+    for (int k = 0; k < 8; ++k) poor.points.row(4 * k) *= 0.5 + 0.05 * k;
+    poor.points.conservativeResize(36, 3);
+    poor.features.assign(36, Feature::surface);
+  }
+  const OverlayFrame told = one.follow(poor, 1, 1.0 / 30.0, kSteps);
+  QVERIFY2(told.validity == (scattered ? Validity::residual_too_large : Validity::too_few_points),
+           qPrintable(QString("%1, %2 pairs, %3 mm")
+                          .arg(validity_code(told.validity))
+                          .arg(told.pairs)
+                          .arg(1e3 * told.residual)));
+  QVERIFY(told.nodes_in_camera == before.nodes_in_camera);
+  QVERIFY(one.follow(cloud(0.6, 2), 2, 2.0 / 30.0, kSteps).nodes_in_camera ==
+          another.follow(cloud(0.6, 2), 2, 2.0 / 30.0, kSteps).nodes_in_camera);
 }
 
 void CloudFollowerTest::PointsWithoutDepthAreLeftOut() {

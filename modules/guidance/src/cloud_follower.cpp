@@ -36,11 +36,13 @@ Validity CloudFollower::follow(const LabelledCloud& cloud, int steps, FollowedBo
   if (unlabelled.size() < std::max(10, options_.minimum_pairs)) return Validity::too_few_points;
   const Points there = body.positions(), speed = body.velocities();
   const BoundarySprings springs = body.springs();
-  const Validity brought = bring(unlabelled, steps, body, overlay);
-  if ((body.positions() - there).rowwise().norm().mean() < kElsewhere) return brought;
+  Validity brought = bring(unlabelled, steps, body, overlay);
+  if ((body.positions() - there).rowwise().norm().mean() >= kElsewhere) brought = Validity::surface_apart;
+  // No way is lost: where a cloud is within reach, its own steps bring the organ there.
+  if (brought == Validity::valid) return brought;
   body.restore(there, speed, springs);
   if (forces_) forces_->forget_last();
-  return Validity::surface_apart;
+  return brought;
 }
 
 Validity CloudFollower::bring(const LabelledCloud& unlabelled, int steps, FollowedBody& body,

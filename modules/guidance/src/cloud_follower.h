@@ -14,7 +14,8 @@ class CloudFollower {
  public:
   CloudFollower(const PatientModel& model, const Registration& start, const TrackerOptions& options);
 
-  /// A cloud that lies elsewhere than the organ was is forgotten: the organ stays where it was.
+  /// A cloud that is not valid, or that lies elsewhere than the organ was, is forgotten: the organ stays
+  /// where it was.
   /// @param steps of the springs, with new pairs each. @param overlay its pairs and residual are filled in.
   Validity follow(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
 
