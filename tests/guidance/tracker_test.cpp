@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "filmed_phantom.h"
+#include "followed_body.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/guidance/tracker.h"
@@ -18,6 +19,7 @@ class TrackerTest : public QObject {
   void ModelFollowsBreathing();
   void StillTissueKeepsTheRegisteredShape();
   void StiffBoundaryHoldsItsPlace();
+  void ElementsAreNotTurnedInsideOut();
   void BlackFramesAreNotValidAndTheNextGoodOneIs();
   void PicturesTellWhyPointsAreFew_data();
   void PicturesTellWhyPointsAreFew();
@@ -117,6 +119,35 @@ void TrackerTest::StiffBoundaryHoldsItsPlace() {
   const double held = moved(1e6), loose = moved(1.0);
   QVERIFY2(held < 0.5e-3 && loose > 2e-3,
            qPrintable(QString("%1 and %2 mm").arg(1e3 * held).arg(1e3 * loose)));
+}
+
+void TrackerTest::ElementsAreNotTurnedInsideOut() {
+  FollowedBody body(model_, nodes_, options());
+  body.rest_here();
+  Eigen::Index node = 0;
+  nodes_.col(2).minCoeff(&node);  // on top of the dome
+  const auto pull_to = [&](double depth) {
+    return [&body, &node, depth, this](std::vector<fem::AttachedLoad>& loads) {
+      fem::AttachedLoad load;
+      load.nodes[0] = static_cast<int>(node);
+      load.weights[0] = 1.0;
+      load.tangent = 1e5 * Eigen::Matrix3d::Identity();
+      load.force =
+          load.tangent *
+          (nodes_.row(node) + Eigen::RowVector3d(0.0, 0.0, depth) - body.positions().row(node)).transpose();
+      loads.push_back(load);
+    };
+  };
+  QVERIFY(!body.advance(1, pull_to(60e-3)));
+  QVERIFY(body.positions() == nodes_ && body.velocities().isZero(0.0));
+  QVERIFY(body.advance(1, pull_to(1e-3)));
+  QVERIFY(body.positions() != nodes_);
+  // What a registration has left inside out does not keep it from moving.
+  Points bent = nodes_;
+  bent(node, 2) += 60e-3;
+  body.place(bent);
+  QVERIFY(body.advance(1, pull_to(59e-3)));
+  QVERIFY(body.positions() != bent);
 }
 
 void TrackerTest::BlackFramesAreNotValidAndTheNextGoodOneIs() {

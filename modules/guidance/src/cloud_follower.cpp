@@ -47,11 +47,14 @@ Validity CloudFollower::follow(const LabelledCloud& cloud, int steps, FollowedBo
 
 Validity CloudFollower::bring(const LabelledCloud& unlabelled, int steps, FollowedBody& body,
                               OverlayFrame& overlay) {
+  const int inverted = body.inverted();
   const Validity followed =
       forces_ ? by_forces(unlabelled, body, overlay) : by_springs(unlabelled, steps, body, overlay);
   if (followed != Validity::valid) return followed;
   if (overlay.pairs < options_.minimum_pairs) return Validity::too_few_points;
-  return overlay.residual > options_.maximum_residual ? Validity::residual_too_large : Validity::valid;
+  if (overlay.residual > options_.maximum_residual) return Validity::residual_too_large;
+  // Forces have judged that themselves (is_beyond_tissue()).
+  return !forces_ && body.inverted() > inverted ? Validity::mechanics_failed : Validity::valid;
 }
 
 Validity CloudFollower::by_forces(const LabelledCloud& cloud, FollowedBody& body, OverlayFrame& overlay) {

@@ -56,6 +56,19 @@ void FollowedBody::rest_here() {
   integrator_.set_state(here);
 }
 
+int FollowedBody::inverted() const {
+  const Points& x = positions();
+  const auto& tetrahedra = composite_->mesh().tetrahedra;
+  int count = 0;
+  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t) {
+    const auto side = [&](int k) {
+      return Eigen::RowVector3d(x.row(tetrahedra(t, k)) - x.row(tetrahedra(t, 0)));
+    };
+    count += side(1).cross(side(2)).dot(side(3)) <= 0.0;
+  }
+  return count;
+}
+
 void FollowedBody::move(const RigidMotion& motion) {
   const Points moved = (positions() * motion.rotation.transpose()).rowwise() + motion.translation.transpose();
   place(moved);

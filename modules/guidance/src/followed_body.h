@@ -46,7 +46,8 @@ class FollowedBody {
   void restore(const Points& positions, const Points& velocities, const BoundarySprings& springs);
   void stop() { integrator_.stop(); }
 
-  /// One implicit step under loads that `pull` adds. @return false: the mechanics failed, nothing has moved.
+  /// One implicit step under loads that `pull` adds. Elements may turn inside out. @return false: the
+  /// mechanics failed, nothing has moved.
   template <class Pull>
   bool step(const Pull& pull) {
     fem::Loads loads;
@@ -58,6 +59,20 @@ class FollowedBody {
     }
     surface_.move(positions());
     return true;
+  }
+  /// Tetrahedra that are inside out: without a positive volume.
+  int inverted() const;
+  /// So many steps, after which no more elements are inside out than before: a registration may have left
+  /// some. @return false: the mechanics failed, or elements were turned; nothing has moved.
+  template <class Pull>
+  bool advance(int steps, const Pull& pull) {
+    const Points there = positions();
+    const int before = inverted();
+    bool is_good = true;
+    for (int i = 0; i < steps && is_good; ++i) is_good = step(pull);
+    if (is_good && inverted() <= before) return true;
+    place(there);
+    return false;
   }
 
  private:

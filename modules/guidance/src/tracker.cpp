@@ -331,9 +331,8 @@ struct Tracker::Impl {
     const double reference_area = 1e-4 / options.cloud.reference_density_per_cm2;
     const double stiffness = options.point_stiffness * options.materials.parenchyma.young_modulus * seen /
                              (reference_area * static_cast<double>(agreeing));
-    for (int k = 0; k < options.steps_per_frame; ++k)
-      if (!body.step([&](auto& loads) { anchors.add(follower->points(), body.surface(), stiffness, loads); }))
-        return Validity::mechanics_failed;
+    const auto pull = [&](auto& loads) { anchors.add(follower->points(), body.surface(), stiffness, loads); };
+    if (!body.advance(options.steps_per_frame, pull)) return Validity::mechanics_failed;
     overlay.residual = mean_norm(anchors.gaps(follower->points(), body.surface()));
     if (overlay.residual > options.maximum_residual) return Validity::residual_too_large;
     if (static_cast<int>(follower->points().size()) < (1.0 - kMissing) * options.points) replenish();
