@@ -32,7 +32,7 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
   void TheEditorsPlaceToWorkIsOfItsCase();
   void LabelsAloneAreKeptToo();
   void AStrokeEndsWithItsCase();
-  void ASeedThatCameTooLateIsNotTheNextPatients();
+  void ASeedIsNotPlacedWhileAnotherPatientIsOpened();
 
  private:
   /// Of the CT with labels and seeds.
@@ -195,7 +195,7 @@ void FormerCaseTest::AStrokeEndsWithItsCase() {
   QVERIFY(count(structure::kPortalVein) > before);
 }
 
-void FormerCaseTest::ASeedThatCameTooLateIsNotTheNextPatients() {
+void FormerCaseTest::ASeedIsNotPlacedWhileAnotherPatientIsOpened() {
   open_ct();
   const auto other = folder_->path() / "without_seeds.glisson";
   window_->engine().post(engine::SaveCase{other, true});
@@ -204,7 +204,7 @@ void FormerCaseTest::ASeedThatCameTooLateIsNotTheNextPatients() {
   window_->engine().post(engine::OpenCase{other});
   QTest::mouseClick(&slice(scene::Plane::axial), Qt::LeftButton, {},
                     slice(scene::Plane::axial).widget_point(Point<CtFrame>(0.0, 0.02, 0.0)).toPoint());
-  QCOMPARE(find<QListWidget>("seed_list")->count(), 1);  // ahead of the case
+  QCOMPARE(find<QListWidget>("seed_list")->count(), 0);
   QVERIFY(settle());
   QVERIFY(!window_->engine().state()[part::seeds]);
   QCOMPARE(find<QListWidget>("seed_list")->count(), 0);
