@@ -152,11 +152,13 @@ fs::path helper_program(const std::string& name, const char* variable) {
   if (const char* named = std::getenv(variable)) places.emplace_back(named);
   std::error_code failure;
   const fs::path self = fs::read_symlink("/proc/self/exe", failure);
-  places.push_back(self.parent_path() / name);
-  places.push_back(self.parent_path().parent_path() / "bin" / name);
+  if (!failure) {  // else they would be looked for in the folder that one works in
+    places.push_back(self.parent_path() / name);
+    places.push_back(self.parent_path().parent_path() / "bin" / name);
+  }
   for (const fs::path& place : places)
     if (::access(place.c_str(), X_OK) == 0 && fs::is_regular_file(place, failure)) return place;
-  throw FileError(places.front().string() +
+  throw FileError((places.empty() ? fs::path(name) : places.front()).string() +
                   ": the program that reads foreign files is missing. Install Glisson again.");
 }
 

@@ -15,6 +15,7 @@ MissingLibrary::MissingLibrary(const std::string& path)
 const void* late_symbol(const std::string& library, const std::string& symbol) {
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  if (failure) throw MissingLibrary(library);  // never that of the folder that one works in
   const fs::path path = program.parent_path().parent_path() / "lib/glisson" / library;
   void* loaded = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   const void* found = loaded == nullptr ? nullptr : ::dlsym(loaded, symbol.c_str());
