@@ -46,8 +46,8 @@ Eigen::Vector3d closest_on_edges(const Eigen::Vector3d& p, const std::array<Eige
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const int next = (k + 1) % 3;
-    const Eigen::Vector3d from = corners[static_cast<std::size_t>(k)],
-                          edge = corners[static_cast<std::size_t>(next)] - from;
+    const Eigen::Vector3d& from = corners[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d edge = corners[static_cast<std::size_t>(next)] - from;
     const double length2 = edge.squaredNorm();
     const double share = length2 > 0.0 ? std::clamp((p - from).dot(edge) / length2, 0.0, 1.0) : 0.0;
     const double squared = (p - from - share * edge).squaredNorm();
