@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "installed.h"
 
 extern char** environ;
 
@@ -151,10 +152,9 @@ fs::path helper_program(const std::string& name, const char* variable) {
   std::vector<fs::path> places;
   if (const char* named = std::getenv(variable)) places.emplace_back(named);
   std::error_code failure;
-  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
-  if (!failure) {  // else they would be looked for in the folder that one works in
-    places.push_back(self.parent_path() / name);
-    places.push_back(self.parent_path().parent_path() / "bin" / name);
+  if (const auto folder = program_folder()) {
+    places.push_back(*folder / name);
+    places.push_back(folder->parent_path() / "bin" / name);
   }
   for (const fs::path& place : places)
     if (::access(place.c_str(), X_OK) == 0 && fs::is_regular_file(place, failure)) return place;

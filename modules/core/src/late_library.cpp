@@ -4,7 +4,9 @@
 #include <dlfcn.h>
 
 #include <filesystem>
-#include <system_error>
+#include <optional>
+
+#include "installed.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -13,10 +15,9 @@ MissingLibrary::MissingLibrary(const std::string& path)
     : FileError(path + ": a library of Glisson is missing or cannot be loaded. Install Glisson again.") {}
 
 const void* late_symbol(const std::string& library, const std::string& symbol) {
-  std::error_code failure;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-  if (failure) throw MissingLibrary(library);  // never that of the folder that one works in
-  const fs::path path = program.parent_path().parent_path() / "lib/glisson" / library;
+  const std::optional<fs::path> folder = program_folder();
+  if (!folder) throw MissingLibrary(library);
+  const fs::path path = folder->parent_path() / "lib/glisson" / library;
   void* loaded = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   const void* found = loaded == nullptr ? nullptr : ::dlsym(loaded, symbol.c_str());
   if (found == nullptr) throw MissingLibrary(path.string());

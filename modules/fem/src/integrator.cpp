@@ -8,6 +8,7 @@
 #include "external_loads.h"
 #include "factorization.h"
 #include "glisson/core/error.h"
+#include "glisson/fem/inverted.h"
 #include "two_level_solver.h"
 
 namespace glisson::fem {
@@ -78,17 +79,6 @@ struct Integrator::Impl {
 
   void assemble(BlockSystem& target, const Loads& loads);
   void prescribe(const Loads& loads);
-
-  int inverted() const {
-    int count = 0;
-    for (const Tetrahedron& e : model->impl().tetrahedra) {
-      const Eigen::Vector3d a = x.row(e.nodes[0]).transpose();
-      const Eigen::Vector3d b = x.row(e.nodes[1]).transpose() - a, c = x.row(e.nodes[2]).transpose() - a,
-                            d = x.row(e.nodes[3]).transpose() - a;
-      count += b.cross(c).dot(d) <= 0.0;
-    }
-    return count;
-  }
 };
 
 Integrator::Integrator(std::shared_ptr<const CompositeModel> model, const IntegratorOptions& options) {
@@ -169,7 +159,7 @@ StepSummary Integrator::step(const Loads& loads) {
   // To the bit where they were sent.
   for (const PrescribedNode& moved : loads.prescribed) s.x.row(moved.node) = moved.position.transpose();
   summary.kinetic_energy = 0.5 * s.model->mass_times(s.v).cwiseProduct(s.v).sum();
-  summary.inverted_tetrahedra = s.inverted();
+  summary.inverted_tetrahedra = inverted_tetrahedra(*s.model, s.x);
   return summary;
 }
 

@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/stopwatch.h"
+#include "glisson/fem/inverted.h"
 
 namespace glisson::fem {
 namespace {
@@ -25,13 +26,6 @@ double force_residual(const CompositeModel& model, const AppliedLoad& load, cons
   // Where nothing but moved nodes loads the organ: what holds them.
   const double reference = external.norm() > 0.0 ? external.norm() : held.norm();
   return reference > 0.0 ? sum.norm() / reference : sum.norm();
-}
-
-/// Tetrahedra without a positive volume.
-int inverted(const CompositeModel& model, const Points& x) {
-  TetMesh moved = model.mesh();
-  moved.vertices = x;
-  return static_cast<int>((tetrahedron_volumes(moved).array() <= 0.0).count());
 }
 
 void describe(const CompositeModel& model, const Points& x, SimulationRecord& record) {
@@ -61,7 +55,7 @@ Cancellable<SimulationResult> simulate_static(
   record.step = solution->iterations;
   describe(model, solution->positions, record);
   record.force_residual = solution->residual;
-  record.inverted_tetrahedra = inverted(model, solution->positions);
+  record.inverted_tetrahedra = inverted_tetrahedra(model, solution->positions);
   if (on_step) on_step(record, solution->positions);
   return SimulationResult{{record}, std::move(solution->positions), solution->converged()};
 }

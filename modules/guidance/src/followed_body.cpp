@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/fem/inverted.h"
 #include "glisson/registration/register.h"
 
 namespace glisson::guidance {
@@ -56,18 +57,7 @@ void FollowedBody::rest_here() {
   integrator_.set_state(here);
 }
 
-int FollowedBody::inverted() const {
-  const Points& x = positions();
-  const auto& tetrahedra = composite_->mesh().tetrahedra;
-  int count = 0;
-  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t) {
-    const auto side = [&](int k) {
-      return Eigen::RowVector3d(x.row(tetrahedra(t, k)) - x.row(tetrahedra(t, 0)));
-    };
-    count += side(1).cross(side(2)).dot(side(3)) <= 0.0;
-  }
-  return count;
-}
+int FollowedBody::inverted() const { return fem::inverted_tetrahedra(*composite_, positions()); }
 
 void FollowedBody::move(const RigidMotion& motion) {
   const Points moved = (positions() * motion.rotation.transpose()).rowwise() + motion.translation.transpose();

@@ -9,10 +9,10 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
-#include "replaced.h"
 
 namespace glisson::ui {
 
@@ -52,7 +52,7 @@ void ClickBox::correct(Label structure, const Point<CtFrame>& p_in_ct, const seg
   const bool is_liver = structure == structure::kParenchyma || structure == structure::kBackground;
   if (!at_once_->isChecked() || !there || (!is_liver && !segmentation::grows_around(structure))) return;
   if (locked_.contains(structure::kParenchyma) || locked_.contains(structure)) return;
-  if (is_replaced(engine_, part::labels) || engine_.state()[part::offer]) {
+  if (is_being_replaced(engine_, part::labels) || engine_.state()[part::offer]) {
     words_->setText(
         tr("New labels are on their way, or wait for your decision: this click changes none now. "
            "It counts when you segment again."));

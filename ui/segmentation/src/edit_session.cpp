@@ -18,7 +18,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/patient/label_difference.h"
-#include "replaced.h"
+#include "glisson/ui/common/being_made.h"
 
 namespace glisson::ui {
 namespace {
@@ -86,7 +86,7 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
   connect(&engine_, &EngineBridge::case_changed, this, &EditSession::show_case);
   connect(&engine_, &EngineBridge::finished, this, &EditSession::take);
   connect(&engine_, &EngineBridge::tasks_changed, this, [this] {
-    const bool was_replaced = std::exchange(is_replaced_, is_replaced(engine_, part::labels));
+    const bool was_replaced = std::exchange(is_replaced_, is_being_replaced(engine_, part::labels));
     if (previewing_ || applying_ || is_replaced_ != was_replaced) emit changed();
   });
   show_case();

@@ -23,6 +23,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/save_name.h"
@@ -30,7 +31,6 @@
 #include "glisson/ui/segmentation/click_box.h"
 #include "glisson/ui/segmentation/network_box.h"
 #include "glisson/ui/segmentation/region_box.h"
-#include "replaced.h"
 
 namespace glisson::ui {
 namespace {
@@ -114,7 +114,7 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
     show_case();
   });
   connect(&engine_, &EngineBridge::tasks_changed, this, [this] {
-    if (is_replaced_ == is_replaced(engine_, part::seeds)) return;
+    if (is_replaced_ == is_being_replaced(engine_, part::seeds)) return;
     is_replaced_ = !is_replaced_;
     if (is_replaced_) let_go();
     show_buttons();

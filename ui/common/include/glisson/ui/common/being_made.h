@@ -12,6 +12,9 @@ namespace glisson::ui {
 /// comes after it: what a person says of what is on the screen would be said of what nobody has seen.
 /// @param lane on which; none: on any.
 bool is_being_made(const EngineBridge& engine, engine::Part part, std::optional<engine::Lane> lane = {});
+/// The same without a person's own small steps, which follow each other: something puts another in this
+/// part's place, and what a person changes in it meanwhile would meet what nobody has seen.
+bool is_being_replaced(const EngineBridge& engine, engine::Part part);
 /// Why nothing is said of the model meanwhile.
 QString model_wait_text();
 
