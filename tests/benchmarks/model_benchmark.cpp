@@ -61,7 +61,7 @@ void fit_of_the_mesh(benchmark::State& state) {
   for (const auto& [label, field] : anatomy().lesions) targets.inclusions.push_back({label, field.volume()});
   for (auto _ : state) {
     TetMesh fitted = mesh;
-    model::fit_to_surface(fitted, targets, model::kLeastDihedral);
+    model::fit_to_surface(fitted, targets, model::kLeastDihedral, RunContext());
     benchmark::DoNotOptimize(fitted);
   }
 }

@@ -51,6 +51,8 @@ class FitToSurfaceTest : public QObject {
   void SliversOfTheMesherAreMended();
   void ADentIsFilledByWhatWasTakenOut();
   void AGrooveOfTheBodyIsNotFilled();
+  void CancelStopsTheFitAtTheNextNode();
+  void CancelStopsTheFillingOfDents();
   void MeshWithoutASurfaceIsRefused();
 
  private:
@@ -66,7 +68,7 @@ void FitToSurfaceTest::NodesThatStrayedComeBack() {
   for (const int node : boundary_surface(mesh).node_of_vertex)
     for (int k = 0; k < 3; ++k) mesh.vertices(node, k) += off(random);
   QVERIFY(mean_off(mesh) > 0.7e-3);
-  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, RunContext());
   QVERIFY2(mean_off(mesh) < 0.25e-3, qPrintable(QString::number(1e3 * mean_off(mesh))));
   check_tetrahedra(mesh, "mesh");
 }
@@ -76,7 +78,7 @@ void FitToSurfaceTest::NoAngleGetsWorseThanAllowed() {
   const double before = dihedral_angles(mesh).col(0).minCoeff();
   for (const int node : boundary_surface(mesh).node_of_vertex) mesh.vertices.row(node) *= 0.97;
   const double squeezed = dihedral_angles(mesh).col(0).minCoeff();
-  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, RunContext());
   QVERIFY(dihedral_angles(mesh).col(0).minCoeff() >= std::min({10.0, before, squeezed}) - 1e-9);
 }
 
@@ -91,7 +93,7 @@ void FitToSurfaceTest::VolumeIsMadeUpForWithinTheOffset() {
   QVERIFY(standing_out / boundary.mesh.vertex_count() > 0.1e-3);
   // A volume that is already there asks for nothing.
   TetMesh mesh = mesh_;
-  model::fit_to_surface(mesh, {&kBall, 0.9 * volume(mesh_), {}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, 0.9 * volume(mesh_), {}}, 10.0, RunContext());
   QVERIFY(volume(mesh) < volume(mesh_));
 }
 
@@ -103,7 +105,7 @@ void FitToSurfaceTest::SubdomainGetsItsVolume() {
     mesh.labels[static_cast<std::size_t>(t)] = middle.norm() < 0.025 ? 16 : 1;
   }
   const double wanted = 1.08 * volume_of(mesh, 16);
-  model::fit_to_surface(mesh, {&kBall, volume(kBall), {{16, wanted}}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {{16, wanted}}}, 10.0, RunContext());
   QVERIFY2(std::abs(volume_of(mesh, 16) / wanted - 1.0) < 0.02,
            qPrintable(QString::number(volume_of(mesh, 16) / wanted)));
   check_tetrahedra(mesh, "mesh");
@@ -112,7 +114,7 @@ void FitToSurfaceTest::SubdomainGetsItsVolume() {
 void FitToSurfaceTest::FarMovesStopBeforeACellTurnsOver() {
   TetMesh mesh = mesh_;
   const TriangleMesh small = test::sphere(0.03, 3);  // half as large: no mesh of this topology fits it well
-  model::fit_to_surface(mesh, {&small, volume(small), {}}, 10.0);
+  model::fit_to_surface(mesh, {&small, volume(small), {}}, 10.0, RunContext());
   check_tetrahedra(mesh, "mesh");
   QVERIFY(dihedral_angles(mesh).col(0).minCoeff() >= 10.0 - 1e-9);
 }
@@ -134,7 +136,7 @@ void FitToSurfaceTest::NodesThatCellsHoldBackGetRoom() {
     }
     if (tetrahedron_volumes(mesh).minCoeff() <= 0.0) mesh.vertices.row(node) = before;
   }
-  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, RunContext());
   check_tetrahedra(mesh, "mesh");
   const auto off_ball = summarise(distances_to_surface(boundary_surface(mesh).mesh.vertices, kBall));
   QVERIFY2(off_ball.maximum < 0.16e-3, qPrintable(QString::number(1e3 * off_ball.maximum)));
@@ -168,7 +170,7 @@ void FitToSurfaceTest::SliversOfTheMesherAreMended_data() {
 void FitToSurfaceTest::SliversOfTheMesherAreMended() {
   QFETCH(bool, inside);
   TetMesh mesh = mesh_;
-  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, RunContext());
   const std::vector<int> skin = boundary_surface(mesh).node_of_vertex;
   // Pressed towards the opposite face of one of its cells until that is nearly flat.
   for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
@@ -182,7 +184,7 @@ void FitToSurfaceTest::SliversOfTheMesherAreMended() {
     break;
   }
   QVERIFY(dihedral_angles(mesh).col(0).minCoeff() < 6.0);
-  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, RunContext());
   const double least = dihedral_angles(mesh).col(0).minCoeff();
   QVERIFY2(least >= 10.0, qPrintable(QString::number(least)));
   QVERIFY2(mean_off(mesh) < 0.25e-3, qPrintable(QString::number(1e3 * mean_off(mesh))));
@@ -193,28 +195,53 @@ void FitToSurfaceTest::ADentIsFilledByWhatWasTakenOut() {
   QCOMPARE(mesh.tetrahedron_count(), mesh_.tetrahedron_count() - 1);
   const ClosestPointTree tree(kBall);
   const Points normals = triangle_normals(kBall);
-  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 10.0), 1);
+  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 10.0, RunContext()), 1);
   QCOMPARE(mesh.tetrahedron_count(), mesh_.tetrahedron_count());
   QCOMPARE(mesh.labels.back(), 7);
   check_tetrahedra(mesh, "mesh");
   QVERIFY(is_closed(boundary_surface(mesh).mesh));
   QVERIFY(std::abs(volume(mesh) - volume(mesh_)) < 1e-12);
   // A whole mesh has none; and a cell with such an angle is not put in.
-  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 10.0), 0);
+  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 10.0, RunContext()), 0);
   mesh = dented();
-  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 80.0), 0);
+  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 80.0, RunContext()), 0);
 }
 
 void FitToSurfaceTest::AGrooveOfTheBodyIsNotFilled() {
   TetMesh mesh = dented();
   const TriangleMesh body = boundary_surface(mesh).mesh;
-  QCOMPARE(model::fill_dents(mesh, ClosestPointTree(body), triangle_normals(body), 1, 10.0), 0);
+  QCOMPARE(model::fill_dents(mesh, ClosestPointTree(body), triangle_normals(body), 1, 10.0, RunContext()), 0);
+}
+
+void FitToSurfaceTest::CancelStopsTheFitAtTheNextNode() {
+  auto flag = std::make_shared<CancelFlag>();
+  const RunContext context([](double, std::string_view) {}, flag, 1);
+  TetMesh mesh = mesh_;
+  for (const int node : boundary_surface(mesh).node_of_vertex) mesh.vertices.row(node) *= 0.97;
+  const TetMesh before = mesh;
+  flag->request();
+  QVERIFY(!model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, context));
+  QVERIFY(mesh.vertices == before.vertices);
+  QVERIFY(model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0, RunContext()));
+  QVERIFY(mesh.vertices != before.vertices);
+}
+
+void FitToSurfaceTest::CancelStopsTheFillingOfDents() {
+  auto flag = std::make_shared<CancelFlag>();
+  const RunContext context([](double, std::string_view) {}, flag, 1);
+  flag->request();
+  TetMesh mesh = dented();
+  const int cells = mesh.tetrahedron_count();
+  QCOMPARE(model::fill_dents(mesh, ClosestPointTree(kBall), triangle_normals(kBall), 7, 10.0, context), 0);
+  QCOMPARE(mesh.tetrahedron_count(), cells);
 }
 
 void FitToSurfaceTest::MeshWithoutASurfaceIsRefused() {
   TetMesh mesh = mesh_;
-  QVERIFY_THROWS_EXCEPTION(PreconditionError, model::fit_to_surface(mesh, {nullptr, 1.0, {}}, 10.0));
-  QVERIFY_THROWS_EXCEPTION(PreconditionError, model::fit_to_surface(mesh, {&kBall, 0.0, {}}, 10.0));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           model::fit_to_surface(mesh, {nullptr, 1.0, {}}, 10.0, RunContext()));
+  QVERIFY_THROWS_EXCEPTION(PreconditionError,
+                           model::fit_to_surface(mesh, {&kBall, 0.0, {}}, 10.0, RunContext()));
 }
 
 QTEST_APPLESS_MAIN(FitToSurfaceTest)

@@ -108,7 +108,7 @@ Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, c
   model.mesh = std::move(*mesh);
   FitTargets targets{&anatomy.fine_liver, anatomy.liver_volume, {}};
   for (const auto& [label, field] : input.inclusions) targets.inclusions.push_back({label, field.volume()});
-  fit_to_surface(model.mesh, targets, kLeastDihedral);
+  if (!fit_to_surface(model.mesh, targets, kLeastDihedral, context)) return {};
   model.surface = boundary_surface(model.mesh);
   for (const auto& [label, field] : input.inclusions)
     if (std::find(model.mesh.labels.begin(), model.mesh.labels.end(), static_cast<int>(label)) ==

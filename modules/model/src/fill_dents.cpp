@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_dents.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -37,6 +38,63 @@ std::vector<Filling> fillings(const Ring& ring, std::size_t first, std::size_t l
   return all;
 }
 
+/// Which cells have a node, and which may hold a place: bins of space, each with the cells whose boxes reach
+/// into it. Nodes do not move meanwhile.
+class CellsByPlace {
+ public:
+  explicit CellsByPlace(const TetMesh& mesh)
+      : mesh_(mesh), of_node_(static_cast<std::size_t>(mesh.vertex_count())) {
+    low_ = mesh.vertices.colwise().minCoeff().transpose();
+    const Eigen::Vector3d extent = mesh.vertices.colwise().maxCoeff().transpose() - low_;
+    // About one cell a bin, as far as there may be so many.
+    bin_ = std::max({1e-9, std::cbrt(extent.prod() / std::max(1, mesh.tetrahedron_count())),
+                     extent.maxCoeff() / kMostBins});
+    size_ = (extent / bin_).array().floor().cast<int>() + 1;
+    bins_.resize(static_cast<std::size_t>(size_.cast<long>().prod()));
+    for (int cell = 0; cell < mesh.tetrahedron_count(); ++cell) add(cell);
+  }
+
+  /// A cell that the mesh has got since.
+  void add(int cell) {
+    Eigen::Vector3d low = mesh_.vertex(mesh_.tetrahedra(cell, 0)), high = low;
+    for (int k = 0; k < 4; ++k) {
+      const int node = mesh_.tetrahedra(cell, k);
+      of_node_[static_cast<std::size_t>(node)].push_back(cell);
+      low = low.cwiseMin(mesh_.vertex(node));
+      high = high.cwiseMax(mesh_.vertex(node));
+    }
+    // A hair more than the box: rounding leaves no cell out.
+    const Eigen::Vector3i from = bin_of((low.array() - kRounding).matrix()),
+                          to = bin_of((high.array() + kRounding).matrix());
+    for (int k = from.z(); k <= to.z(); ++k)
+      for (int j = from.y(); j <= to.y(); ++j)
+        for (int i = from.x(); i <= to.x(); ++i) bins_[offset({i, j, k})].push_back(cell);
+  }
+
+  const std::vector<int>& with_node(int node) const { return of_node_[static_cast<std::size_t>(node)]; }
+  /// All cells that hold the place, and others.
+  const std::vector<int>& about(const Eigen::Vector3d& p) const { return bins_[offset(bin_of(p))]; }
+
+ private:
+  static constexpr int kMostBins = 64;       // along an axis
+  static constexpr double kRounding = 1e-9;  // metres
+
+  Eigen::Vector3i bin_of(const Eigen::Vector3d& p) const {
+    const Eigen::Array3d at = ((p - low_) / bin_).array().floor();
+    return at.max(0.0).min(size_.cast<double>().array() - 1.0).cast<int>();
+  }
+  std::size_t offset(const Eigen::Vector3i& bin) const {
+    return static_cast<std::size_t>(bin.x() + size_.x() * (bin.y() + size_.y() * bin.z()));
+  }
+
+  const TetMesh& mesh_;
+  std::vector<std::vector<int>> of_node_;
+  Eigen::Vector3d low_;
+  double bin_ = 0.0;  ///< metres
+  Eigen::Vector3i size_;
+  std::vector<std::vector<int>> bins_;
+};
+
 class DentFiller {
  public:
   DentFiller(TetMesh& mesh, const ClosestPointTree& surface, const Points& normals, int label,
@@ -45,12 +103,15 @@ class DentFiller {
         surface_(surface),
         normals_(normals),
         label_(label),
-        most_cosine_(std::cos(least_dihedral_deg * std::numbers::pi / 180.0)) {}
+        most_cosine_(std::cos(least_dihedral_deg * std::numbers::pi / 180.0)),
+        cells_(mesh) {}
 
-  int run() {
+  int run(const RunContext& context) {
     int covered = 0;
-    for (const int node : boundary_surface(mesh_).node_of_vertex)
+    for (const int node : boundary_surface(mesh_).node_of_vertex) {
+      if (context.cancelled()) return covered;
       if (depth(mesh_.vertex(node)) > kLeastDepth) covered += cover(node);
+    }
     return covered;
   }
 
@@ -81,6 +142,7 @@ class DentFiller {
       const auto [a, b, c] = (*chosen)[i];
       mesh_.tetrahedra.row(count + static_cast<Eigen::Index>(i)) << node, a, b, c;
       mesh_.labels.push_back(label_);
+      cells_.add(static_cast<int>(count) + static_cast<int>(i));
     }
     return true;
   }
@@ -94,7 +156,8 @@ class DentFiller {
   /// one.
   std::optional<Ring> ring_around(int node) const {
     std::map<int, int> next;
-    const BoundarySurface boundary = boundary_surface(mesh_);
+    // A face with the node lies between cells with the node, or on the boundary.
+    const BoundarySurface boundary = boundary_surface(part(cells_.with_node(node)));
     const auto number = [&](int t, int k) {
       return boundary.node_of_vertex[static_cast<std::size_t>(boundary.mesh.triangles(t, k))];
     };
@@ -111,6 +174,16 @@ class DentFiller {
     const auto last = next.find(ring.back());
     if (last == next.end() || last->second != ring.front()) return {};
     return ring;
+  }
+
+  /// Some cells and all nodes.
+  TetMesh part(const std::vector<int>& cells) const {
+    TetMesh some;
+    some.vertices = mesh_.vertices;
+    some.tetrahedra.resize(static_cast<Eigen::Index>(cells.size()), 4);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      some.tetrahedra.row(static_cast<Eigen::Index>(i)) = mesh_.tetrahedra.row(cells[i]);
+    return some;
   }
 
   /// Whether the new cells lie in the body, beside all others, and their new edges and faces are new.
@@ -137,7 +210,7 @@ class DentFiller {
 
   /// Whether one cell has all these nodes.
   bool exists(const std::vector<int>& nodes) const {
-    for (int t = 0; t < mesh_.tetrahedron_count(); ++t) {
+    for (const int t : cells_.with_node(nodes.front())) {
       std::size_t found = 0;
       for (int k = 0; k < 4; ++k)
         for (const int node : nodes) found += mesh_.tetrahedra(t, k) == node;
@@ -148,7 +221,7 @@ class DentFiller {
 
   /// Whether a place lies in a cell.
   bool taken(const Eigen::Vector3d& p) const {
-    for (int t = 0; t < mesh_.tetrahedron_count(); ++t) {
+    for (const int t : cells_.about(p)) {
       const Eigen::Vector3d a = mesh_.vertex(mesh_.tetrahedra(t, 0)),
                             b = mesh_.vertex(mesh_.tetrahedra(t, 1)),
                             c = mesh_.vertex(mesh_.tetrahedra(t, 2)),
@@ -165,13 +238,14 @@ class DentFiller {
   const Points& normals_;
   int label_;
   double most_cosine_;
+  CellsByPlace cells_;
 };
 
 }  // namespace
 
 int fill_dents(TetMesh& mesh, const ClosestPointTree& surface, const Points& normals, int label,
-               double least_dihedral_deg) {
-  return DentFiller(mesh, surface, normals, label, least_dihedral_deg).run();
+               double least_dihedral_deg, const RunContext& context) {
+  return DentFiller(mesh, surface, normals, label, least_dihedral_deg).run(context);
 }
 
 }  // namespace glisson::model

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "glisson/core/run_context.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/mesh.h"
 
@@ -12,8 +13,8 @@ namespace glisson::model {
 /// @param surface fine, normals outwards, of the body; `normals` of its triangles.
 /// @param label of the cells that are put in.
 /// @return how many nodes were covered. No cell with a dihedral angle below `least_dihedral_deg`, none that
-///   reaches into another or stands out of the body.
+///   reaches into another or stands out of the body. Cancelled: those until then.
 int fill_dents(TetMesh& mesh, const ClosestPointTree& surface, const Points& normals, int label,
-               double least_dihedral_deg);
+               double least_dihedral_deg, const RunContext& context);
 
 }  // namespace glisson::model

@@ -25,12 +25,13 @@ constexpr double kVolumeTolerance = 0.002;  // of a sub-domain
 class Fitter {
  public:
   Fitter(TetMesh& mesh, const FitTargets& targets, const ClosestPointTree& tree, const Points& normals,
-         double least_dihedral_deg)
+         double least_dihedral_deg, const RunContext& context)
       : mesh_(mesh),
         targets_(targets),
         tree_(tree),
         normals_(normals),
         most_cosine_(std::cos(least_dihedral_deg * std::numbers::pi / 180.0)),
+        context_(context),
         cells_(static_cast<std::size_t>(mesh.vertex_count())),
         on_boundary_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
     for (int t = 0; t < mesh.tetrahedron_count(); ++t)
@@ -53,9 +54,11 @@ class Fitter {
   void mend_slivers() {
     for (int pass = 0; pass < kSliverPasses; ++pass) {
       bool moved = false;
-      for (int cell = 0; cell < mesh_.tetrahedron_count(); ++cell)
+      for (int cell = 0; cell < mesh_.tetrahedron_count(); ++cell) {
+        if (context_.cancelled()) return;
         for (int k = 0; k < 4 && worst_of(cell) > most_cosine_; ++k)
           moved |= flatten_least(mesh_.tetrahedra(cell, k));
+      }
       if (!moved) return;
     }
   }
@@ -63,6 +66,7 @@ class Fitter {
   void to_volume() {
     double offset = 0.0;
     for (int pass = 0; pass < kSurfacePasses; ++pass) {
+      if (context_.cancelled()) return;
       const double missing = targets_.volume - volume(mesh_);
       offset = std::clamp(offset + missing / area(boundary_surface(mesh_).mesh), -kMostOffset, kMostOffset);
       fit_boundary(offset);
@@ -74,6 +78,7 @@ class Fitter {
  private:
   void fit_boundary(double offset) {
     for (const int node : boundary_) {
+      if (context_.cancelled()) return;
       const Eigen::Vector3d p = mesh_.vertex(node);
       const ClosestPoint closest = tree_.closest(p);
       move(node, closest.point + offset * normals_.row(closest.triangle).transpose() - p);
@@ -85,8 +90,10 @@ class Fitter {
   void free_stuck() {
     for (int pass = 0; pass < kSurfacePasses; ++pass) {
       int advanced = 0;
-      for (const int node : boundary_)
+      for (const int node : boundary_) {
+        if (context_.cancelled()) return;
         if (step_to_surface(node).norm() > kStuck) advanced += advance(node);
+      }
       if (advanced == 0) return;
     }
   }
@@ -197,6 +204,7 @@ class Fitter {
 
   /// One step of all nodes between the sub-domain and the rest along the normals.
   void fit_inclusion(const FitTargets::Inclusion& inclusion) {
+    if (context_.cancelled()) return;
     TetMesh part;
     part.vertices = mesh_.vertices;
     std::vector<int> cells;
@@ -214,6 +222,7 @@ class Fitter {
     for (std::size_t v = 0; v < skin.node_of_vertex.size(); ++v) {
       const int node = skin.node_of_vertex[v];
       if (on_boundary_[static_cast<std::size_t>(node)]) continue;
+      if (context_.cancelled()) return;
       move(node, step * normals.row(static_cast<Eigen::Index>(v)).transpose());
     }
   }
@@ -247,6 +256,7 @@ class Fitter {
   const ClosestPointTree& tree_;
   const Points& normals_;
   double most_cosine_;
+  const RunContext& context_;  ///< asked at every node whether to stop; then all passes come to nothing
   std::vector<std::vector<int>> cells_;  ///< around each node
   std::vector<int> boundary_;
   std::vector<char> on_boundary_;
@@ -263,20 +273,23 @@ int body_label(const TetMesh& mesh, const FitTargets& targets) {
 
 }  // namespace
 
-void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg) {
+bool fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg,
+                    const RunContext& context) {
   if (targets.surface == nullptr || targets.surface->triangle_count() == 0)
     throw PreconditionError("a mesh is fitted to a surface");
   require(targets.volume > 0.0, "a mesh is fitted to a volume");
-  if (mesh.tetrahedron_count() == 0) return;
+  if (mesh.tetrahedron_count() == 0) return !context.cancelled();
   const ClosestPointTree tree(*targets.surface);
   const Points normals = triangle_normals(*targets.surface);
   const int body = body_label(mesh, targets);
+  const auto fitter = [&] { return Fitter(mesh, targets, tree, normals, least_dihedral_deg, context); };
   for (int round = 0; round < kDentRounds; ++round) {
-    Fitter(mesh, targets, tree, normals, least_dihedral_deg).to_surface();
-    if (fill_dents(mesh, tree, normals, body, least_dihedral_deg) == 0) break;
+    fitter().to_surface();
+    if (fill_dents(mesh, tree, normals, body, least_dihedral_deg, context) == 0) break;
   }
-  Fitter(mesh, targets, tree, normals, least_dihedral_deg).mend_slivers();
-  Fitter(mesh, targets, tree, normals, least_dihedral_deg).to_volume();
+  fitter().mend_slivers();
+  fitter().to_volume();
+  return !context.cancelled();
 }
 
 }  // namespace glisson::model

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "glisson/core/run_context.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/volume/label_volume.h"
@@ -29,6 +30,8 @@ struct FitTargets {
 ///   triangles cut a round body short;
 /// - the nodes around a sub-domain go out (or in) until it has its volume.
 /// @pre positively oriented tetrahedra.
-void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg);
+/// @return whether it came to its end; false: it was cancelled, and the mesh is fitted in part.
+bool fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg,
+                    const RunContext& context);
 
 }  // namespace glisson::model

@@ -37,7 +37,7 @@ Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions
   input.body = field_of_surface(closed, body_spacing_mm(closed, options));
   std::vector<std::string> notes;
   auto mesh = mesh_to_size(input, options, notes, context.part(0.1, 1.0));
-  if (mesh) fit_to_surface(*mesh, {&closed, volume(closed), {}}, kLeastDihedral);
+  if (!mesh || !fit_to_surface(*mesh, {&closed, volume(closed), {}}, kLeastDihedral, context)) return {};
   return mesh;
 }
 
