@@ -60,6 +60,7 @@ class SurfacesTest : public QObject {
   void SurfacesBecomeAModel();
   void LesionOutsideTheLiverIsReported();
   void VesselOutsideTheLiverIsReported();
+  void VesselBesideTheLiverIsReported();
 };
 
 void SurfacesTest::FolderIsReadByItsNames() {
@@ -344,6 +345,21 @@ void SurfacesTest::VesselOutsideTheLiverIsReported() {
   options.mesh.target_vertices = 100;
   const auto built = model::build_from_surfaces(set, options, RunContext());
   QVERIFY(says(built->report.notes, "vessels.outside_liver"));
+  QVERIFY(built->model.vessels.empty());
+}
+
+/// The liver's box has corners that it does not fill: a vessel there is none of its own, with a root or not.
+void SurfacesTest::VesselBesideTheLiverIsReported() {
+  model::SurfaceSet set;
+  set.liver = kLiver;
+  set.others.push_back({structure::kPortalVein, "portal_vein",
+                        test::moved(test::box({0.01, 0.01, 0.03}), {0.06, 0.06, 0.05})});
+  model::ModelOptions options;
+  options.mesh.target_vertices = 100;
+  options.mesh.vessel_refinement = 0.5;
+  options.portal_root = Points::Constant(1, 3, 0.05);
+  const auto built = model::build_from_surfaces(set, options, RunContext());
+  QVERIFY(says(built->report.notes, "vessels.outside_liver portal_vein"));
   QVERIFY(built->model.vessels.empty());
 }
 

@@ -24,6 +24,7 @@ std::vector<std::uint8_t> voxels_of(const TriangleMesh& surface, const VolumeGri
   return all;
 }
 
+/// Vessel voxels in the liver or at its entrances.
 VesselMask vessel_in_liver(const NamedSurface& vessel, const ScalarField& liver) {
   VesselMask mask;
   mask.structure = vessel.structure;
@@ -74,7 +75,8 @@ Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& 
     anatomy.surfaces.push_back(other);
     if (!is_wanted_vessel(other.structure, options)) continue;
     VesselMask mask = vessel_in_liver(other, anatomy.liver);
-    if (mask.voxels.empty())
+    // Boxes that overlap do not say that the vessel and the liver do.
+    if (std::ranges::count(mask.voxels, 1) == 0)
       anatomy.notes.push_back("vessels.outside_liver " + other.name);
     else
       anatomy.vessels.push_back(std::move(mask));
