@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <fstream>
+#include <numbers>
 #include <set>
 
 #include "complaint.h"
@@ -31,6 +32,20 @@ std::string complaint(const fs::path& path, LengthUnit unit) {
   return test::complaint([&] { model::read_surfaces(path, unit); });
 }
 
+/// Of two balls, m3.
+double volume_of_lens(double r, double s, double apart) {
+  const double d = apart;
+  return std::numbers::pi * (r + s - d) * (r + s - d) *
+         (d * d + 2.0 * d * s - 3.0 * s * s + 2.0 * d * r + 6.0 * r * s - 3.0 * r * r) / (12.0 * d);
+}
+
+double volume_of(const TetMesh& mesh, int label) {
+  const Eigen::VectorXd volumes = tetrahedron_volumes(mesh);
+  double sum = 0.0;
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) sum += mesh.labels[t] == label ? volumes[t] : 0.0;
+  return sum;
+}
+
 }  // namespace
 
 class SurfacesTest : public QObject {
@@ -59,6 +74,8 @@ class SurfacesTest : public QObject {
   void SurfacesThatSayRasAreRefused();
   void SurfacesBecomeAModel();
   void LesionOutsideTheLiverIsReported();
+  void ALesionThatSticksOutKeepsWhatIsInside();
+  void WhatTwoLesionsShareIsOfTheFirst();
   void VesselOutsideTheLiverIsReported();
   void VesselBesideTheLiverIsReported();
 };
@@ -334,6 +351,46 @@ void SurfacesTest::LesionOutsideTheLiverIsReported() {
   const auto built = model::build_from_surfaces(set, options, RunContext());
   QVERIFY(says(built->report.notes, "lesion.outside_liver lesion_1"));
   QVERIFY(lesion_centres(built->model).empty());
+}
+
+/// The rest was pushed inwards before, until the whole lesion was in the liver.
+void SurfacesTest::ALesionThatSticksOutKeepsWhatIsInside() {
+  // Balls of 70 and 15 mm, 66 mm apart.
+  const double big = 0.07, small = 0.015, apart = 0.066;
+  model::SurfaceSet set;
+  set.liver = kLiver;
+  set.others.push_back({structure::kFirstLesion, "lesion_1",
+                        test::moved(test::sphere(small, 4), apart * Eigen::Vector3d(0.6, 0.64, 0.48))});
+  model::ModelOptions options;
+  options.mesh.target_vertices = 400;
+  const auto built = model::build_from_surfaces(set, options, RunContext());
+  const double ratio =
+      volume_of(built->model.mesh, structure::kFirstLesion) / volume_of_lens(big, small, apart);
+  QVERIFY2(std::abs(ratio - 1.0) < 0.05, qPrintable(QString::number(ratio)));
+  // What is drawn is what was given.
+  QVERIFY(std::abs(volume(built->model.surfaces.back().mesh) / volume(test::sphere(small, 4)) - 1.0) < 1e-9);
+}
+
+void SurfacesTest::WhatTwoLesionsShareIsOfTheFirst() {
+  const double radius = 0.014, apart = 0.016;
+  model::SurfaceSet set;
+  set.liver = kLiver;
+  const Eigen::Vector3d to_second = apart * Eigen::Vector3d(0.6, 0.64, 0.48);
+  set.others.push_back({structure::kFirstLesion, "lesion_1", test::sphere(radius, 4)});
+  set.others.push_back(
+      {structure::kFirstLesion + 1, "lesion_2", test::moved(test::sphere(radius, 4), to_second)});
+  set.others.push_back({structure::kFirstLesion + 2, "lesion_3", test::sphere(0.6 * radius, 4)});
+  model::ModelOptions options;
+  options.mesh.target_vertices = 500;
+  const auto built = model::build_from_surfaces(set, options, RunContext());
+  const double whole = volume(set.others[0].mesh),
+               second = volume(set.others[1].mesh) - volume_of_lens(radius, radius, apart);
+  const double first_ratio = volume_of(built->model.mesh, structure::kFirstLesion) / whole,
+               second_ratio = volume_of(built->model.mesh, structure::kFirstLesion + 1) / second;
+  QVERIFY2(std::abs(first_ratio - 1.0) < 0.05, qPrintable(QString::number(first_ratio)));
+  QVERIFY2(std::abs(second_ratio - 1.0) < 0.05, qPrintable(QString::number(second_ratio)));
+  // The third lies within the first: nothing is left of it.
+  QVERIFY(says(built->report.notes, "lesion.without_tetrahedra lesion_3"));
 }
 
 void SurfacesTest::VesselOutsideTheLiverIsReported() {

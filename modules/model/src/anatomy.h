@@ -42,6 +42,9 @@ inline constexpr double kEntranceMm = 3.0;
 /// Whether trees are wanted of a structure.
 bool is_wanted_vessel(Label structure, const ModelOptions& options);
 
+/// Whether elements of the wanted size can show a lesion.
+bool is_for_the_mesh(const ScalarField& lesion, double liver_volume, const MeshOptions& options);
+
 /// Adds how many beams the trees have, and how many of their nodes lie outside the mesh.
 void count_vessel_nodes(const PatientModel& model, std::vector<std::string>& notes);
 

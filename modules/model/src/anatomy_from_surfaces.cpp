@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "anatomy.h"
@@ -44,6 +45,45 @@ VesselMask vessel_in_liver(const NamedSurface& vessel, const ScalarField& liver)
   return mask;
 }
 
+/// What of a lesion lies where a depth (mm, of a point in the CT frame, metres) is positive. The same bits
+/// where all of it does.
+ScalarField clipped(const ScalarField& lesion,
+                    const std::function<double(const Eigen::Vector3d&)>& depth_at) {
+  const VolumeGrid& grid = lesion.grid();
+  std::vector<float> values = lesion.values();
+  bool reaches_out = false;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        float& value = values[static_cast<std::size_t>(grid.offset({i, j, k}))];
+        const auto depth = static_cast<float>(depth_at(grid.p_in_ct({double(i), double(j), double(k)}).xyz));
+        reaches_out |= value > 0.0F && depth <= 0.0F;
+        value = std::min(value, depth);
+      }
+  return reaches_out ? ScalarField(grid, std::move(values)) : lesion;
+}
+
+/// As labels would show it: inside the liver, and no place of two lesions. The mesher gives such a place to
+/// the first that is large enough for elements of its own.
+void add_lesion(const NamedSurface& surface, const ModelOptions& options, Anatomy& anatomy) {
+  const TriangleMesh lesion = largest_closed_piece(surface.mesh, surface.name);
+  const double diameter_mm = 1e3 * std::cbrt(6.0 / std::numbers::pi * volume(lesion));
+  ScalarField field = clipped(field_of_surface(lesion, std::clamp(diameter_mm / kLesionSamples, 0.25, 2.0)),
+                              [&](const Eigen::Vector3d& p) { return anatomy.liver.at(p); });
+  if (anatomy.liver.at(centroid(lesion)) <= 0.0 || field.volume() == 0.0) {
+    anatomy.notes.push_back("lesion.outside_liver " + surface.name);
+    return;
+  }
+  anatomy.surfaces.push_back({surface.structure, surface.name, lesion});
+  for (const auto& other : anatomy.lesions)
+    if (is_for_the_mesh(other.second, anatomy.liver_volume, options.mesh))
+      field = clipped(field, [&](const Eigen::Vector3d& p) { return -other.second.at(p); });
+  if (field.volume() == 0.0)
+    anatomy.notes.push_back("lesion.without_tetrahedra " + structure_name(surface.structure));
+  else
+    anatomy.lesions.emplace_back(surface.structure, std::move(field));
+}
+
 }  // namespace
 
 Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& options,
@@ -61,15 +101,7 @@ Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& 
     if (context.cancelled()) return {};
     context.progress(0.5, "model.surfaces");
     if (is_lesion(other.structure)) {
-      const TriangleMesh lesion = largest_closed_piece(other.mesh, other.name);
-      if (anatomy.liver.at(centroid(lesion)) <= 0.0) {
-        anatomy.notes.push_back("lesion.outside_liver " + other.name);
-        continue;
-      }
-      const double diameter_mm = 1e3 * std::cbrt(6.0 / std::numbers::pi * volume(lesion));
-      anatomy.lesions.emplace_back(
-          other.structure, field_of_surface(lesion, std::clamp(diameter_mm / kLesionSamples, 0.25, 2.0)));
-      anatomy.surfaces.push_back({other.structure, other.name, lesion});
+      add_lesion(other, options, anatomy);
       continue;
     }
     anatomy.surfaces.push_back(other);

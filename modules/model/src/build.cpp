@@ -61,20 +61,20 @@ Points cava_contact(const TriangleMesh& liver, const TriangleMesh* cava) {
   return result;
 }
 
+/// Of a ball of its volume, metres.
+double diameter_of(const ScalarField& lesion) { return std::cbrt(6.0 / std::numbers::pi * lesion.volume()); }
+
 /// Lesions that elements of the wanted size can show become sub-domains. Smaller ones would draw most of the
 /// nodes to themselves; they stay as surfaces, carried by the tetrahedra around them.
 std::vector<std::pair<Label, ScalarField>> lesions_to_mesh(const Anatomy& anatomy, const MeshOptions& options,
                                                            std::vector<std::string>& notes) {
-  const double edge = typical_edge(anatomy.liver_volume, options);
   std::vector<std::pair<Label, ScalarField>> large;
-  for (const auto& lesion : anatomy.lesions) {
-    const double diameter = std::cbrt(6.0 / std::numbers::pi * lesion.second.volume());
-    if (diameter >= kLeastLesionInEdges * edge)
+  for (const auto& lesion : anatomy.lesions)
+    if (is_for_the_mesh(lesion.second, anatomy.liver_volume, options))
       large.push_back(lesion);
     else
       notes.push_back("lesion.too_small_for_the_mesh " + structure_name(lesion.first) + " mm " +
-                      shown(1e3 * diameter));
-  }
+                      shown(1e3 * diameter_of(lesion.second)));
   return large;
 }
 
@@ -161,6 +161,10 @@ void take_labels(TetMesh& mesh, std::vector<std::string>& notes) {
 }
 
 }  // namespace
+
+bool is_for_the_mesh(const ScalarField& lesion, double liver_volume, const MeshOptions& options) {
+  return diameter_of(lesion) >= kLeastLesionInEdges * typical_edge(liver_volume, options);
+}
 
 void count_vessel_nodes(const PatientModel& model, std::vector<std::string>& notes) {
   std::size_t outside = 0, beams = 0;
