@@ -6109,6 +6109,10 @@
         <translation>%1 se trouve hors du foie et a été écarté.</translation>
     </message>
     <message>
+        <source>%1: its surface has holes, or triangles that face the wrong way. For the vessel model each hole was closed straight across: check the vessel&apos;s ends and branches, or mend the surface in the program that made it.</source>
+        <translation>%1 : la surface a des trous, ou des triangles orientés à l’envers. Pour le modèle vasculaire, chaque trou a été fermé tout droit : vérifiez les extrémités et les branches du vaisseau, ou réparez la surface dans le programme qui l’a faite.</translation>
+    </message>
+    <message>
         <source>%1 was left out: only %3 mm³.</source>
         <translation>%1 a été écarté : seulement %3 mm³.</translation>
     </message>

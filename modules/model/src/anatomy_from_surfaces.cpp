@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "anatomy.h"
+#include "close_holes.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
 #include "surface_field.h"
@@ -15,10 +16,12 @@ namespace {
 constexpr double kVesselSpacingMm = 1.0;
 constexpr double kLesionSamples = 16.0;  // across a lesion
 
-/// Each closed piece by itself, so that a piece turned inside out still counts as full.
-std::vector<std::uint8_t> voxels_of(const TriangleMesh& surface, const VolumeGrid& grid) {
+/// Each piece by itself, so that a piece turned inside out still counts as full.
+/// @param open receives whether a piece had holes; they are closed.
+std::vector<std::uint8_t> voxels_of(const TriangleMesh& surface, const VolumeGrid& grid, bool& open) {
   std::vector<std::uint8_t> all(static_cast<std::size_t>(grid.voxel_count()), 0);
-  for (const TriangleMesh& piece : split_components(surface)) {
+  for (TriangleMesh& piece : split_components(surface)) {
+    open |= close_holes(piece);
     const std::vector<std::uint8_t> inside = voxelise(piece, grid);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] |= inside[i];
   }
@@ -26,7 +29,8 @@ std::vector<std::uint8_t> voxels_of(const TriangleMesh& surface, const VolumeGri
 }
 
 /// Vessel voxels in the liver or at its entrances.
-VesselMask vessel_in_liver(const NamedSurface& vessel, const ScalarField& liver) {
+/// @param open receives whether the surface had holes.
+VesselMask vessel_in_liver(const NamedSurface& vessel, const ScalarField& liver, bool& open) {
   VesselMask mask;
   mask.structure = vessel.structure;
   Points corners(2, 3);  // of what the vessel and the liver share
@@ -34,7 +38,7 @@ VesselMask vessel_in_liver(const NamedSurface& vessel, const ScalarField& liver)
   corners.row(1) = vessel.mesh.vertices.colwise().maxCoeff().cwiseMin(liver.high().transpose());
   if ((corners.row(0).array() >= corners.row(1).array()).any()) return mask;
   mask.grid = grid_around(corners, kVesselSpacingMm, kEntranceMm + kVesselSpacingMm);
-  mask.voxels = voxels_of(vessel.mesh, mask.grid);
+  mask.voxels = voxels_of(vessel.mesh, mask.grid, open);
   for (int k = 0; k < mask.grid.size.z(); ++k)
     for (int j = 0; j < mask.grid.size.y(); ++j)
       for (int i = 0; i < mask.grid.size.x(); ++i) {
@@ -106,12 +110,15 @@ Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& 
     }
     anatomy.surfaces.push_back(other);
     if (!is_wanted_vessel(other.structure, options)) continue;
-    VesselMask mask = vessel_in_liver(other, anatomy.liver);
+    bool open = false;
+    VesselMask mask = vessel_in_liver(other, anatomy.liver, open);
     // Boxes that overlap do not say that the vessel and the liver do.
-    if (std::ranges::count(mask.voxels, 1) == 0)
+    if (std::ranges::count(mask.voxels, 1) == 0) {
       anatomy.notes.push_back("vessels.outside_liver " + other.name);
-    else
-      anatomy.vessels.push_back(std::move(mask));
+      continue;
+    }
+    if (open) anatomy.notes.push_back("vessels.open_surface " + other.name);
+    anatomy.vessels.push_back(std::move(mask));
   }
   context.progress(1.0, "model.surfaces");
   return anatomy;

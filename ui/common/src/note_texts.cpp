@@ -91,6 +91,10 @@ class Notes {
         {"vessels.beams", tr("Beams that stiffen the model along the vessels: %1.")},
         {"vessels.nodes_outside_mesh", tr("Vessel nodes just outside the mesh, tied to its surface: %1.")},
         {"vessels.outside_liver", tr("%1 lies outside the liver and was left out.")},
+        {"vessels.open_surface",
+         tr("%1: its surface has holes, or triangles that face the wrong way. For the vessel model each hole "
+            "was closed straight across: check the vessel's ends and branches, or mend the surface in the "
+            "program that made it.")},
         {"case.former_registration_lost",
          tr("The former registration could not be read and was left out (%*).")},
         {"tissue.no_lesion", tr("%1 is no lesion of this model: what is said of its stiffness is left out.")},

@@ -95,11 +95,12 @@ struct SurfaceSet {
   std::vector<NamedSurface> others;  ///< vessels, lesions, vena cava
   std::vector<std::string> notes;    ///< what was left out of the folder: codes with values
 };
-/// Reads closed surfaces (.vtk .vtp .stl .obj .ply): a folder of files named by structure (liver,
+/// Reads surfaces (.vtk .vtp .stl .obj .ply): a folder of files named by structure (liver,
 /// portal_vein, hepatic_veins, arteries, liver_tumours, liver_cysts, lesions, gallbladder, vena_cava); one
 /// file, the liver's; or a list in JSON, {"unit": "mm", "structures": {"liver": "a.stl", "portal_vein":
 /// {"file": "b.ply", "unit": "m"}, "lesions": ["c.stl", "d.stl"]}}, files relative to it. Each connected
-/// component of a lesion file is a lesion of its own. @param unit where a list says none.
+/// component of a lesion file is a lesion of its own. Vessels may be open: their holes are closed for the
+/// trees, and it is noted. @param unit where a list says none.
 /// @throws FileError, InputError naming the file and the remedy: no liver or two, open surface, implausible
 /// size (another unit), a structure larger than the liver (swapped), or away from it (another frame).
 SurfaceSet read_surfaces(const std::filesystem::path& path, LengthUnit unit);
