@@ -6153,6 +6153,10 @@
         <translation>Es wurde kein Vorderrand gefunden: Der Registrierung fehlt ein Merkmal.</translation>
     </message>
     <message>
+        <source>The image ends inside the liver: %1 mm of what looks like its anterior margin are the edge of that cut and were left out. Check the margin there.</source>
+        <translation>Das Bild endet in der Leber: %1 mm von dem, was wie ihr Vorderrand aussieht, sind die Kante dieses Schnitts und wurden weggelassen. Prüfen Sie dort den Rand.</translation>
+    </message>
+    <message>
         <source>Few points show the anterior margin: the position along it is uncertain.</source>
         <translation>Nur wenige Punkte zeigen den Vorderrand: Die Lage entlang des Randes ist unsicher.</translation>
     </message>

@@ -6153,6 +6153,10 @@
         <translation>Aucun bord antérieur n&apos;a été trouvé : il manque un repère au recalage.</translation>
     </message>
     <message>
+        <source>The image ends inside the liver: %1 mm of what looks like its anterior margin are the edge of that cut and were left out. Check the margin there.</source>
+        <translation>L’image s’arrête dans le foie : %1 mm de ce qui ressemble à son bord antérieur sont l’arête de cette coupe et ont été écartés. Vérifiez le bord à cet endroit.</translation>
+    </message>
+    <message>
         <source>Few points show the anterior margin: the position along it is uncertain.</source>
         <translation>Peu de points montrent le bord antérieur : la position le long du bord est incertaine.</translation>
     </message>

@@ -10,8 +10,6 @@
 namespace glisson {
 namespace {
 
-constexpr double kPatchRadius = 0.012;  // metres: over which the normals' spread is taken
-
 /// Every triangle cut into four: the same surface with more vertices.
 TriangleMesh subdivided(const TriangleMesh& mesh) {
   const std::vector<Edge> all = edges(mesh);
@@ -75,7 +73,7 @@ class Patches {
       area += areas_[t];
       for (int k = 0; k < 3; ++k)
         for (const int neighbour : triangles_of_[mesh_.triangles(t, k)]) {
-          if (seen_[neighbour] == v || (centre(neighbour) - p).norm() > kPatchRadius) continue;
+          if (seen_[neighbour] == v || (centre(neighbour) - p).norm() > kSharpnessRadius) continue;
           seen_[neighbour] = v;
           patch.push_back(neighbour);
         }

@@ -21,6 +21,7 @@ struct Anatomy {
   ScalarField liver;
   double liver_volume = 0.0;  ///< m3, of the labels or the surface
   TriangleMesh fine_liver;
+  TriangleMesh cut;  ///< where the image ends inside the liver (cut_faces.h); empty: nowhere
   std::vector<std::pair<Label, ScalarField>> lesions;
   std::vector<VesselMask> vessels;
   std::vector<NamedSurface> surfaces;  ///< fine, the liver first

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "anatomy.h"
+#include "cut_faces.h"
 #include "glisson/core/error.h"
 #include "glisson/model/label_surfaces.h"
 #include "glisson/patient/cut_organ.h"
@@ -107,7 +108,10 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
   Anatomy anatomy;
   std::vector<std::uint8_t> liver = inside_liver(labels);
   keep_largest(grid, liver, anatomy.notes);
-  if (auto note = cut_note(grid, liver)) anatomy.notes.push_back(std::move(*note));
+  if (auto note = cut_note(grid, liver)) {
+    anatomy.notes.push_back(std::move(*note));
+    anatomy.cut = cut_faces(grid, liver);
+  }
   anatomy.liver_volume = static_cast<double>(count(liver)) * grid.voxel_volume_mm3() * 1e-9;
   anatomy.liver = field_of_mask(grid, liver, smoothing_of(grid));
   anatomy.fine_liver = largest_closed_piece(

@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
+#include "glisson/geometry/sharpness.h"
 #include "mesh_to_size.h"
 #include "vessels.h"
 
@@ -63,6 +64,30 @@ Points cava_contact(const TriangleMesh& liver, const TriangleMesh* cava) {
 
 /// Of a ball of its volume, metres.
 double diameter_of(const ScalarField& lesion) { return std::cbrt(6.0 / std::numbers::pi * lesion.volume()); }
+
+/// How much of a line (metres) lies as near to the cut as its rim makes sharp.
+double length_on_cut(const Points& line, const TriangleMesh& cut) {
+  const ClosestPointTree tree(cut);
+  double length = 0.0;
+  for (Eigen::Index i = 1; i < line.rows(); ++i) {
+    const Eigen::Vector3d middle = 0.5 * (line.row(i - 1) + line.row(i)).transpose();
+    if (tree.closest(middle, kSharpnessRadius).triangle >= 0)
+      length += (line.row(i) - line.row(i - 1)).norm();
+  }
+  return length;
+}
+
+/// Notes how much would be margin if the cut were surface.
+Points margin_of(const Anatomy& anatomy, std::vector<std::string>& notes) {
+  if (anatomy.cut.triangle_count() > 0) {
+    const Points with_cut = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior);
+    const double length_mm = 1e3 * length_on_cut(with_cut, anatomy.cut);
+    if (length_mm >= 1.0) notes.push_back("landmarks.margin_on_cut " + shown(length_mm));
+  }
+  Points margin = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior, anatomy.cut);
+  if (margin.rows() == 0) notes.push_back("landmarks.no_anterior_margin");
+  return margin;
+}
 
 /// Lesions that elements of the wanted size can show become sub-domains. Smaller ones would draw most of the
 /// nodes to themselves; they stay as surfaces, carried by the tetrahedra around them.
@@ -121,8 +146,7 @@ Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, c
   if (options.vessels) count_vessel_nodes(model, notes);
 
   context.progress(0.85, "model.margin");
-  model.landmarks.anterior_margin = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior);
-  if (model.landmarks.anterior_margin.rows() == 0) notes.push_back("landmarks.no_anterior_margin");
+  model.landmarks.anterior_margin = margin_of(anatomy, notes);
   model.landmarks.vena_cava = cava_contact(anatomy.fine_liver, anatomy.vena_cava());
   if (context.cancelled()) return {};
   context.progress(0.95, "model.quality");

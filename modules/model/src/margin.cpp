@@ -62,21 +62,46 @@ int farthest(const Reach& reached) {
   return best;
 }
 
-/// Seeds above one threshold, extended over all that is above a lower one and hangs together: the number of
-/// the ridge at each vertex, -1 for none.
-std::vector<int> ridges(const std::vector<std::vector<int>>& neighbours, const std::vector<double>& sharp,
-                        int& count) {
-  double mean = 0.0, square = 0.0;
-  for (const double s : sharp) {
-    mean += std::max(0.0, s);
-    square += std::max(0.0, s) * std::max(0.0, s);
+/// Of a vertex, to where the image ends inside the organ.
+enum class Place : char {
+  on_cut,  ///< the patch around it may hold some of the cut: its sharpness tells nothing
+  beside_cut,
+  away
+};
+
+std::vector<Place> places(const TriangleMesh& mesh, const TriangleMesh& cut) {
+  std::vector<Place> place(static_cast<std::size_t>(mesh.vertex_count()), Place::away);
+  const ClosestPointTree tree(cut);
+  if (tree.empty()) return place;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const double distance = tree.closest(mesh.vertex(v), kSharpnessRadius + kLongestEdge).distance;
+    if (distance <= kSharpnessRadius)
+      place[static_cast<std::size_t>(v)] = Place::on_cut;
+    else if (std::isfinite(distance))
+      place[static_cast<std::size_t>(v)] = Place::beside_cut;
   }
-  mean /= static_cast<double>(sharp.size());
-  const double deviation = std::sqrt(std::max(0.0, square / static_cast<double>(sharp.size()) - mean * mean));
+  return place;
+}
+
+/// Seeds above one threshold, extended over all that is above a lower one and hangs together: the number of
+/// the ridge at each vertex, -1 for none. The thresholds come from all that is not on the cut.
+std::vector<int> ridges(const std::vector<std::vector<int>>& neighbours, const std::vector<double>& sharp,
+                        const std::vector<Place>& place, int& count) {
+  double mean = 0.0, square = 0.0, number = 0.0;
+  for (std::size_t v = 0; v < sharp.size(); ++v) {
+    if (place[v] == Place::on_cut) continue;
+    const double s = std::max(0.0, sharp[v]);
+    mean += s;
+    square += s * s;
+    number += 1.0;
+  }
+  count = 0;
+  if (number == 0.0) return std::vector<int>(sharp.size(), -1);
+  mean /= number;
+  const double deviation = std::sqrt(std::max(0.0, square / number - mean * mean));
   const double seed = std::max(kLeastSeed, mean + kSeedDeviations * deviation);
   const double extension = std::max(kLeastExtension, mean + kExtensionDeviations * deviation);
   std::vector<int> ridge_of(sharp.size(), -1);
-  count = 0;
   for (std::size_t start = 0; start < sharp.size(); ++start) {
     if (sharp[start] < seed || ridge_of[start] >= 0) continue;
     std::vector<int> members{static_cast<int>(start)};
@@ -122,11 +147,27 @@ Points smoothed(Points line, const TriangleMesh& surface) {
   return line;
 }
 
+/// A ridge that runs into the cut ends there as broad as it is, and a corner of that end lies farthest away:
+/// the sharpest place beside the cut is where its crest ends.
+int on_crest(const TriangleMesh& mesh, const std::vector<int>& ridge_of, const std::vector<double>& sharp,
+             const std::vector<Place>& place, int end) {
+  if (place[end] == Place::away) return end;
+  int best = end;
+  for (std::size_t v = 0; v < sharp.size(); ++v)
+    if (ridge_of[v] == ridge_of[end] && place[v] == Place::beside_cut && sharp[v] > sharp[best] &&
+        (mesh.vertex(static_cast<int>(v)) - mesh.vertex(end)).norm() < 2.0 * kSharpnessRadius)
+      best = static_cast<int>(v);
+  return best;
+}
+
 /// Along the sharpest way between the two ends of a ridge that lie farthest apart.
 std::vector<int> crest(const TriangleMesh& mesh, const std::vector<std::vector<int>>& neighbours,
-                       const std::vector<int>& ridge_of, int member, const std::vector<double>& sharp) {
-  const int first = farthest(reach(mesh, neighbours, ridge_of, member, {}));
-  const int last = farthest(reach(mesh, neighbours, ridge_of, first, {}));
+                       const std::vector<int>& ridge_of, int member, const std::vector<double>& sharp,
+                       const std::vector<Place>& place) {
+  const auto end_from = [&](int start) {
+    return on_crest(mesh, ridge_of, sharp, place, farthest(reach(mesh, neighbours, ridge_of, start, {})));
+  };
+  const int first = end_from(member), last = end_from(first);
   double sharpest = 0.0;
   for (std::size_t v = 0; v < sharp.size(); ++v)
     if (ridge_of[v] == ridge_of[member]) sharpest = std::max(sharpest, sharp[v]);
@@ -141,7 +182,8 @@ std::vector<int> crest(const TriangleMesh& mesh, const std::vector<std::vector<i
 
 }  // namespace
 
-Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior) {
+Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior,
+                              const TriangleMesh& cut) {
   if (surface.triangle_count() == 0) return Points(0, 3);
   const TriangleMesh mesh = refined(surface, kLongestEdge);
   const Sharpness sharpness(mesh);
@@ -154,14 +196,17 @@ Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d
   if (wanted.norm() > 0.0)
     for (std::size_t v = 0; v < sharp.size(); ++v)
       if (sharpness.normal(static_cast<int>(v)).dot(wanted) < kWrongSide) sharp[v] = std::min(sharp[v], 0.0);
-  const std::vector<int> ridge_of = ridges(neighbours, sharp, count);
+  const std::vector<Place> place = places(mesh, cut);
+  for (std::size_t v = 0; v < sharp.size(); ++v)
+    if (place[v] == Place::on_cut) sharp[v] = std::min(sharp[v], 0.0);
+  const std::vector<int> ridge_of = ridges(neighbours, sharp, place, count);
 
   std::vector<Eigen::Vector3d> best;
   double best_score = 0.0;
   for (int ridge = 0; ridge < count; ++ridge) {
     const auto member =
         static_cast<int>(std::find(ridge_of.begin(), ridge_of.end(), ridge) - ridge_of.begin());
-    const std::vector<int> path = crest(mesh, neighbours, ridge_of, member, sharp);
+    const std::vector<int> path = crest(mesh, neighbours, ridge_of, member, sharp, place);
     double length = 0.0, score = 0.0;
     std::vector<Eigen::Vector3d> line{mesh.vertex(path.front())};
     for (std::size_t i = 1; i < path.size(); ++i) {

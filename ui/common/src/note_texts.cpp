@@ -117,6 +117,9 @@ class Notes {
         {"surfaces.ignored", tr("The file %1 was not used: its name tells no structure.")},
         {"landmarks.no_anterior_margin",
          tr("No anterior margin was found: the registration has one feature less.")},
+        {"landmarks.margin_on_cut",
+         tr("The image ends inside the liver: %1 mm of what looks like its anterior margin are the edge of "
+            "that cut and were left out. Check the margin there.")},
         {"landmarks.no_vena_cava",
          tr("The model has no vena cava: nothing says where the organ is held. Let the atlas propose it.")},
         {"landmarks.not_reviewed", tr("%1: nobody has reviewed what is proposed.")},

@@ -11,6 +11,9 @@ namespace glisson {
 /// there are 400 000 of them. @param edge metres
 TriangleMesh refined(TriangleMesh mesh, double edge);
 
+/// Metres: how far the patch around a vertex reaches.
+inline constexpr double kSharpnessRadius = 0.012;
+
 /// How far the normals spread around each vertex: 1 - |mean normal| over the connected patch within 12 mm.
 /// 0 on a plane, 1 - cos(a / 2) on a crease between normals an angle a apart, negative where the surface is
 /// hollow. An integral, so that the tessellation does not matter.

@@ -119,6 +119,10 @@ Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions
 /// same under rigid motion. Empty when there is no ridge.
 /// @param inferior_anterior the direction in which the margin is to be looked for; zero: any (the longest
 /// ridge).
-Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior);
+/// @param cut where the image ends inside the organ, frame of the surface; empty: nowhere. Its rim is sharp
+/// and no margin: vertices as near to it as sharpness reaches (kSharpnessRadius) are left out, from the
+/// thresholds too. Of a margin that it parts the longer part is found.
+Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior,
+                              const TriangleMesh& cut = {});
 
 }  // namespace glisson::model
