@@ -6109,6 +6109,10 @@
         <translation>%1 liegt außerhalb der Leber und wurde weggelassen.</translation>
     </message>
     <message>
+        <source>%1: %2 % of its volume lie outside the liver or in another lesion; its elements leave that out.</source>
+        <translation>%1: %2 % des Volumens liegen außerhalb der Leber oder in einer anderen Läsion; die Elemente lassen das weg.</translation>
+    </message>
+    <message>
         <source>%1: its surface has holes, or triangles that face the wrong way. For the vessel model each hole was closed straight across: check the vessel&apos;s ends and branches, or mend the surface in the program that made it.</source>
         <translation>%1: Die Oberfläche hat Löcher oder Dreiecke, die verkehrt herum liegen. Für das Gefäßmodell wurde jedes Loch gerade verschlossen: Prüfen Sie Enden und Äste des Gefäßes, oder bessern Sie die Oberfläche in dem Programm aus, das sie gemacht hat.</translation>
     </message>

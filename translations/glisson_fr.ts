@@ -6109,6 +6109,10 @@
         <translation>%1 se trouve hors du foie et a été écarté.</translation>
     </message>
     <message>
+        <source>%1: %2 % of its volume lie outside the liver or in another lesion; its elements leave that out.</source>
+        <translation>%1 : %2 % du volume se trouvent hors du foie ou dans une autre lésion ; ses éléments laissent cela de côté.</translation>
+    </message>
+    <message>
         <source>%1: its surface has holes, or triangles that face the wrong way. For the vessel model each hole was closed straight across: check the vessel&apos;s ends and branches, or mend the surface in the program that made it.</source>
         <translation>%1 : la surface a des trous, ou des triangles orientés à l’envers. Pour le modèle vasculaire, chaque trou a été fermé tout droit : vérifiez les extrémités et les branches du vaisseau, ou réparez la surface dans le programme qui l’a faite.</translation>
     </message>

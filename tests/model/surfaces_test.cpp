@@ -367,6 +367,12 @@ void SurfacesTest::ALesionThatSticksOutKeepsWhatIsInside() {
   const double ratio =
       volume_of(built->model.mesh, structure::kFirstLesion) / volume_of_lens(big, small, apart);
   QVERIFY2(std::abs(ratio - 1.0) < 0.05, qPrintable(QString::number(ratio)));
+  const double outside = 100.0 * (1.0 - volume_of_lens(big, small, apart) / volume(test::sphere(small, 4)));
+  bool is_told = false;
+  for (const std::string& note : built->report.notes)
+    if (note.starts_with("lesion.clipped lesion_1 "))
+      is_told = std::abs(std::stod(note.substr(note.rfind(' '))) - outside) < 3.0;
+  QVERIFY(is_told);
   // What is drawn is what was given.
   QVERIFY(std::abs(volume(built->model.surfaces.back().mesh) / volume(test::sphere(small, 4)) - 1.0) < 1e-9);
 }
@@ -389,6 +395,8 @@ void SurfacesTest::WhatTwoLesionsShareIsOfTheFirst() {
                second_ratio = volume_of(built->model.mesh, structure::kFirstLesion + 1) / second;
   QVERIFY2(std::abs(first_ratio - 1.0) < 0.05, qPrintable(QString::number(first_ratio)));
   QVERIFY2(std::abs(second_ratio - 1.0) < 0.05, qPrintable(QString::number(second_ratio)));
+  QVERIFY(!says(built->report.notes, "lesion.clipped lesion_1"));
+  QVERIFY(says(built->report.notes, "lesion.clipped lesion_2"));
   // The third lies within the first: nothing is left of it.
   QVERIFY(says(built->report.notes, "lesion.without_tetrahedra lesion_3"));
 }

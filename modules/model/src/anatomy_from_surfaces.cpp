@@ -72,8 +72,8 @@ ScalarField clipped(const ScalarField& lesion,
 void add_lesion(const NamedSurface& surface, const ModelOptions& options, Anatomy& anatomy) {
   const TriangleMesh lesion = largest_closed_piece(surface.mesh, surface.name);
   const double diameter_mm = 1e3 * std::cbrt(6.0 / std::numbers::pi * volume(lesion));
-  ScalarField field = clipped(field_of_surface(lesion, std::clamp(diameter_mm / kLesionSamples, 0.25, 2.0)),
-                              [&](const Eigen::Vector3d& p) { return anatomy.liver.at(p); });
+  const ScalarField whole = field_of_surface(lesion, std::clamp(diameter_mm / kLesionSamples, 0.25, 2.0));
+  ScalarField field = clipped(whole, [&](const Eigen::Vector3d& p) { return anatomy.liver.at(p); });
   if (anatomy.liver.at(centroid(lesion)) <= 0.0 || field.volume() == 0.0) {
     anatomy.notes.push_back("lesion.outside_liver " + surface.name);
     return;
@@ -82,10 +82,13 @@ void add_lesion(const NamedSurface& surface, const ModelOptions& options, Anatom
   for (const auto& other : anatomy.lesions)
     if (is_for_the_mesh(other.second, anatomy.liver_volume, options.mesh))
       field = clipped(field, [&](const Eigen::Vector3d& p) { return -other.second.at(p); });
-  if (field.volume() == 0.0)
+  if (field.volume() == 0.0) {
     anatomy.notes.push_back("lesion.without_tetrahedra " + structure_name(surface.structure));
-  else
-    anatomy.lesions.emplace_back(surface.structure, std::move(field));
+    return;
+  }
+  const long percent = std::lround(100.0 * (1.0 - field.volume() / whole.volume()));
+  if (percent > 0) anatomy.notes.push_back("lesion.clipped " + surface.name + " " + std::to_string(percent));
+  anatomy.lesions.emplace_back(surface.structure, std::move(field));
 }
 
 }  // namespace

@@ -102,6 +102,8 @@ class Notes {
          tr("%1 has no elements of its own: its stiffness changes nothing. Build the model finer at "
             "lesions.")},
         {"lesion.outside_liver", tr("%1 lies outside the liver and was left out.")},
+        {"lesion.clipped", tr("%1: %2 % of its volume lie outside the liver or in another lesion; its "
+                              "elements leave that out.")},
         {"lesion.dropped", tr("%1 was left out: only %3 mm³.")},
         {"lesion.crumbs_dropped", tr("Crumbs of lesion surfaces left out: %1.")},
         {"lesion.too_small_for_the_mesh",
