@@ -113,7 +113,9 @@ void RegistrationFileTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {
   const PatientModel& model = state[part::model]->model;
   Registration registration = *state[part::registration];
   registration.expected = Eigen::VectorXd::LinSpaced(5, 1e-3, 9e-3);
-  registration.forces = {{4, Eigen::Vector3d(0.0, 0.5, -1.0)}, {1, Eigen::Vector3d(0.25, 0.0, 0.0)}};
+  registration.forces = {{4, Eigen::Vector3d(0.0, 0.5, -1.0)},
+                         {1, Eigen::Vector3d(0.25, 0.0, 0.0)},
+                         {4, Eigen::Vector3d(0.0, 0.1, 0.1)}};  // of a smaller patch there
   registration.looks = {{static_cast<Label>(structure::kFirstLesion + 1), 6e-3,
                          Eigen::VectorXd::LinSpaced(5, 2e-3, 6e-3), 5e-3, 4e-3}};
   const Points there = registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(0.01, -0.02, 0.03);
@@ -130,6 +132,7 @@ void RegistrationFileTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {
             std::abs(read.looks[0].notch - 4e-3) < 1e-9);
     QCOMPARE(read.forces.size(), std::size_t{2});
     QCOMPARE(read.forces[0].node, 4);
+    QVERIFY((read.forces[0].force - Eigen::Vector3d(0.0, 0.6, -0.9)).norm() < 1e-9);
     QVERIFY((read.forces[1].force - registration.forces[1].force).norm() < 1e-9);
     QCOMPARE(read.rivals.size(), std::size_t{2});
     QVERIFY((read.rivals[0].nodes_in_camera - there).norm() < 1e-9);

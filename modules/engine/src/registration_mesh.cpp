@@ -112,7 +112,8 @@ void write_places(const Registration& registration, TetFile& file) {
   if (registration.covariances.rows() > 0) file.point_data[kNodeCovariance] = 1e6 * registration.covariances;
   if (!registration.forces.empty()) {
     Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(registration.nodes_in_camera.rows(), 3);
-    for (const FoundForce& force : registration.forces) forces.row(force.node) = force.force.transpose();
+    // Patches of different sizes may have one middle: their forces act together.
+    for (const FoundForce& force : registration.forces) forces.row(force.node) += force.force.transpose();
     file.point_data[kForce] = forces;
   }
   for (const LesionLooks& looks : registration.looks) {
