@@ -86,6 +86,7 @@ class DicomSegmentationTest : public QObject {
   void NamesMeaningColourAndStateComeBack();
   void AnotherReaderFindsPlacesBitsAndReferences();
   void AnotherGridIsNotTakenForTheSame();
+  void SlicesOfARoundedCtFindTheirPlace();
   void SeriesSayWhoseTheyAre();
   void SlicesOfTwoPatientsAreRefused();
   void OtherObjectsAreRefused();
@@ -202,7 +203,7 @@ void DicomSegmentationTest::AnotherGridIsNotTakenForTheSame() {
   other.origin_mm.x() += 0.1;
   QVERIFY(!placed_on(labels, other));
   other = grid;
-  other.spacing_mm.z() *= 1.01;
+  other.spacing_mm.z() *= 1.1;
   QVERIFY(!placed_on(labels, other));
   other = grid;
   other.size.x() -= 1;  // the labels reach beyond it
@@ -210,6 +211,36 @@ void DicomSegmentationTest::AnotherGridIsNotTakenForTheSame() {
   other = grid;
   other.direction = Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX()).matrix() * other.direction;
   QVERIFY(!placed_on(labels, other));
+}
+
+void DicomSegmentationTest::SlicesOfARoundedCtFindTheirPlace() {
+  const VolumeGrid grid = oblique_grid(false);
+  const LabelVolume labels = phantom(grid);
+  // A part of its slices, whose positions are not quite those of the even grid.
+  constexpr int kFirst = 2, kCount = 4;
+  const auto drawn = [&](const Eigen::Vector3d& off, double off_last) {
+    VolumeGrid part = grid;
+    part.size.z() = kCount;
+    part.origin_mm += grid.direction * (Eigen::Vector3d(0, 0, kFirst) + off).cwiseProduct(grid.spacing_mm);
+    part.spacing_mm.z() *= 1.0 + (off_last - off.z()) / (kCount - 1);
+    LabelVolume cut(part);
+    for (int k = 0; k < kCount; ++k)
+      for (int j = 0; j < grid.size.y(); ++j)
+        for (int i = 0; i < grid.size.x(); ++i) cut.set({i, j, k}, labels.at({i, j, kFirst + k}));
+    return cut;
+  };
+  LabelVolume expected(grid);
+  for (int k = kFirst; k < kFirst + kCount; ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) expected.set({i, j, k}, labels.at({i, j, k}));
+  for (const auto& [off, off_last] : {std::pair(0.07, 0.07), {-0.07, -0.07}, {0.07, -0.07}, {0.0, 0.07}}) {
+    const auto placed = placed_on(drawn({0, 0, off}, off_last), grid);
+    QVERIFY2(placed && *placed == expected, qPrintable(QString("%1 %2").arg(off).arg(off_last)));
+  }
+  QVERIFY(!placed_on(drawn({0, 0, 0.5}, 0.5), grid));
+  QVERIFY(!placed_on(drawn({0, 0, 0.0}, 0.5), grid));
+  QVERIFY(!placed_on(drawn({0.07, 0, 0}, 0.0), grid));
+  QVERIFY(!placed_on(drawn({0, 0.07, 0}, 0.0), grid));
 }
 
 void DicomSegmentationTest::SeriesSayWhoseTheyAre() {
