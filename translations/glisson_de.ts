@@ -6509,6 +6509,10 @@
         <translation>%1 wurde nicht gefunden: An ihren Saatpunkten unterscheidet sich nichts von der Leber. Was davon da war, bleibt. Ziehen Sie in einer Schicht quer darüber, um den Durchmesser anzugeben, oder malen Sie sie.</translation>
     </message>
     <message>
+        <source>%1: of its seeds, %2 had no effect. Nothing there differs from the liver, and what the others found does not reach there. Paint what is missing.</source>
+        <translation>%1: Von ihren Saatpunkten blieben %2 ohne Wirkung. Dort unterscheidet sich nichts von der Leber, und was die anderen fanden, reicht nicht bis dorthin. Malen Sie, was fehlt.</translation>
+    </message>
+    <message>
         <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>
         <translation>Die Punkte werden durch %1 Kräfte von Werkzeugen erklärt (Grenze %2): mit so vielen lässt sich fast alles erklären.</translation>
     </message>

@@ -6509,6 +6509,10 @@
         <translation>%1 n’a pas été trouvée : rien à ses graines ne diffère du foie. Ce qui en existait reste. Faites glisser à travers elle dans une coupe pour indiquer son diamètre, ou peignez-la.</translation>
     </message>
     <message>
+        <source>%1: of its seeds, %2 had no effect. Nothing there differs from the liver, and what the others found does not reach there. Paint what is missing.</source>
+        <translation>%1 : de ses graines, %2 sont restées sans effet. Rien n’y diffère du foie, et ce que les autres ont trouvé n’atteint pas ces endroits. Peignez ce qui manque.</translation>
+    </message>
+    <message>
         <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>
         <translation>Les points sont expliqués par %1 forces d’outils (limite %2) : avec autant, presque tout s’explique.</translation>
     </message>

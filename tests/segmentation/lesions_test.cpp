@@ -142,6 +142,7 @@ class LesionsTest : public QObject {
   void LiverOverALesionIsNotFilledUp();
   void ALayerThatIsNotSeenIsTold();
   void WhatIsNoLesionIsNotFound();
+  void ClicksInVainAreCounted();
   void APieceOfAVeinIsTold();
   void ABrightLesionIsToldWhereNoVeinIsKnown();
   void ADarkLesionAroundAVeinIsNoPieceOfIt();
@@ -236,6 +237,30 @@ void LesionsTest::WhatIsNoLesionIsNotFound() {
   const Grown one = grown(none, Vec(3, 0, 2));
   QCOMPARE(one.ml, 0.0);
   QVERIFY(one.says("lesion_1.not_found"));
+}
+
+void LesionsTest::ClicksInVainAreCounted() {
+  const Phantom made = phantom(dark);
+  const Vec plain(26, 0, 8), also_plain(-27, 3, -6);  // in liver that nothing differs from
+  const auto notes_of = [&](const std::vector<Vec>& offs) {
+    Points clicks(static_cast<Eigen::Index>(offs.size()), 3);
+    for (std::size_t n = 0; n < offs.size(); ++n)
+      clicks.row(static_cast<Eigen::Index>(n)) = test::points_at(made.image, {kMiddle + offs[n]});
+    Seeds seeds;
+    seeds.lesions = {clicks};
+    SegmentationOptions options;
+    options.structures = {false, false, false, false, false, true};
+    return segment(made.image, seeds, options, RunContext(), &made.kept).value().report.notes;
+  };
+  const auto told = [](const std::vector<std::string>& notes) {
+    const auto note = std::ranges::find_if(
+        notes, [](const std::string& one) { return one.starts_with("lesion_1.click_without_effect"); });
+    return note == notes.end() ? std::string() : *note;
+  };
+  QCOMPARE(told(notes_of({Vec::Zero(), Vec(3, 2, 1)})), std::string());
+  QCOMPARE(told(notes_of({Vec::Zero(), plain})), std::string("lesion_1.click_without_effect 1"));
+  QCOMPARE(told(notes_of({plain, Vec::Zero(), also_plain})), std::string("lesion_1.click_without_effect 2"));
+  QCOMPARE(told(notes_of({plain})), std::string());  // lesion_1.not_found says so
 }
 
 void LesionsTest::APieceOfAVeinIsTold() {

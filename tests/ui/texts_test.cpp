@@ -61,6 +61,10 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
       QString("Lesion 2: no border was found where its diameter was drawn. It is a ball of that diameter: "
               "check it in the slices."));
   QCOMPARE(
+      ui::note_text("lesion_2.click_without_effect 3"),
+      QString("Lesion 2: of its seeds, 3 had no effect. Nothing there differs from the liver, and what the "
+              "others found does not reach there. Paint what is missing."));
+  QCOMPARE(
       ui::note_text("lesion_2.under_surface 4"),
       QString("Lesion 2 comes within 4 mm of the liver's surface, where the CT does not show its border: "
               "whether liver covers it is not known. Check it in the slices."));

@@ -241,8 +241,10 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
     if (context.cancelled() || seeds.lesions[n].rows() == 0) return;
     const LesionScene scene = lesion_scene(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground);
     GrownLesion& lesion = bodies.lesions[n];
+    std::vector<Eigen::Vector3i> in_vain;
     for (const LesionClick& click : clicks_of(image, scene, seeds, n)) {
       GrownLesion one = grow_lesion(scene, click);
+      if (one.phi.values.empty()) in_vain.push_back(click.place);
       lesion.bright = lesion.bright || one.bright;
       lesion.borderless = lesion.borderless || one.borderless;
       lesion.goes_on = lesion.goes_on || one.goes_on;
@@ -254,6 +256,11 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
       for (std::size_t i = 0; i < one.phi.values.size(); ++i)
         lesion.phi.values[i] = std::min(lesion.phi.values[i], one.phi.values[i]);
     }
+    if (lesion.phi.values.empty()) return;
+    lesion.clicks_in_vain =
+        static_cast<int>(std::ranges::count_if(in_vain, [&](const Eigen::Vector3i& place) {
+          return lesion.phi.values[lesion.phi.offset(place)] >= 0.0F;
+        }));
   });
   return !context.cancelled();
 }

@@ -27,6 +27,7 @@ struct GrownLesion {
   bool borderless = false;  ///< nothing was found where it was drawn: a ball of the diameter
   bool goes_on = false;     ///< it reaches as far as its border is looked for, and perhaps farther
   double unseen_mm = 0.0;   ///< much of it hangs on a layer so thick under the surface, which the CT mixes
+  int clicks_in_vain = 0;   ///< of several, those where nothing was found and that are not in it either
 };
 
 /// How far from a click a lesion is looked for, mm.

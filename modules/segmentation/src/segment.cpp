@@ -299,6 +299,8 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& f
     if (!is_there && seeds.lesions[n].rows() > 0) report.notes.push_back(lesion + ".not_found");
     if (!is_there || !was_looked_for) continue;
     if (bodies.lesions[n].borderless) report.notes.push_back(lesion + ".as_drawn");
+    if (const int in_vain = bodies.lesions[n].clicks_in_vain; in_vain > 0)
+      report.notes.push_back(lesion + ".click_without_effect " + std::to_string(in_vain));
     if (bodies.lesions[n].goes_on) report.notes.push_back(lesion + ".goes_on");
     if (bodies.lesions[n].unseen_mm > 0.0)
       report.notes.push_back(lesion + ".under_surface " +

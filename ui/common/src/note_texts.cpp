@@ -327,6 +327,9 @@ class Notes {
         {".not_found",
          tr("%1 was not found: nothing at its seeds differs from the liver. What there was of it stays. Drag "
             "across it in a slice to tell its diameter, or paint it.")},
+        {".click_without_effect",
+         tr("%1: of its seeds, %2 had no effect. Nothing there differs from the liver, and what the others "
+            "found does not reach there. Paint what is missing.")},
         {".goes_on", tr("%1 goes on as far as a click looks for its border, and perhaps farther: draw its "
                         "diameter.")},
         {".under_surface",
