@@ -60,6 +60,7 @@ class LiveTallyTest : public QObject {
   void AreaIsHowOftenAFarFrameScoresMore();
   void AScoreFromOneOnReachesALimit();
   void TimesAreCountedInTheFilmsFrames();
+  void AnOverlayThatWentBeforeMayStandWrongLater();
   void LesionsAreHeldAgainstTheirOwnErrors();
   void ThePageHoldsRocAndTheModelThatStays();
   void WhatDidNotHappenMeetsNoAim();
@@ -119,6 +120,25 @@ void LiveTallyTest::TimesAreCountedInTheFilmsFrames() {
   QCOMPARE(tally.far_hidden, 9);
   QCOMPARE(tally.near_sound_valid, 14);
   QCOMPARE(tally.most_shown(), std::string("surface_apart"));
+}
+
+void LiveTallyTest::AnOverlayThatWentBeforeMayStandWrongLater() {
+  const auto run_of = [](auto is_hidden) {
+    std::vector<JudgedFrame> run;
+    for (int k = 1; k < 60; ++k)
+      run.push_back(judged(k, k < 40 ? 1e-3 : 20e-3, is_hidden(k) ? Validity::surface_apart : Validity::valid,
+                           k >= 30));
+    return run;
+  };
+  FaultTally flickered;  // while it was still right
+  flickered.add(run_of([](int k) { return k == 32; }));
+  QCOMPARE(flickered.latest, 20);
+  FaultTally came_back;
+  came_back.add(run_of([](int k) { return k >= 43 && k < 48; }));
+  QCOMPARE(came_back.latest, 12);
+  FaultTally went;
+  went.add(run_of([](int k) { return k >= 38; }));
+  QCOMPARE(went.latest, 0);
 }
 
 void LiveTallyTest::LesionsAreHeldAgainstTheirOwnErrors() {

@@ -44,7 +44,7 @@ bool has_right_start(const LiveFault& fault) {
 }  // namespace
 
 void FaultTally::add(const std::vector<JudgedFrame>& run) {
-  int first_far = -1, first_hidden = -1;
+  int wrong_from = -1;  // the first frame of a run that is over 10 mm and valid
   for (const JudgedFrame& judged : run) {
     const bool valid = judged.is_valid();
     ++shown[validity_code(judged.overlay.validity)];
@@ -60,18 +60,18 @@ void FaultTally::add(const std::vector<JudgedFrame>& run) {
       ++far;
       far_hidden += !valid;
       far_hidden_before += !judged.shown_before();
-      if (first_far < 0) first_far = judged.frame;
+      latest = std::max(latest, 0);
     } else if (judged.error < kNearFrame) {
       ++near;
       near_valid += valid;
       near_sound += !judged.faulty;
       near_sound_valid += !judged.faulty && valid;
     }
-    if (judged.faulty && !valid && first_hidden < 0) first_hidden = judged.frame;
+    const bool is_wrong = valid && judged.error > kFarFrame;
+    if (is_wrong && wrong_from < 0) wrong_from = judged.frame;
+    if (wrong_from >= 0) latest = std::max(latest, judged.frame + (is_wrong ? 1 : 0) - wrong_from);
+    if (!is_wrong) wrong_from = -1;
   }
-  if (first_far < 0) return;
-  const int last = run.back().frame + 1;
-  latest = std::max(latest, std::max(0, (first_hidden < 0 ? last : first_hidden) - first_far));
 }
 
 void FaultTally::add_return(const std::vector<JudgedFrame>& run, int good_from) {

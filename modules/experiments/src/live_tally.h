@@ -24,7 +24,7 @@ struct FaultTally {
   int shown_frames = 0;
   std::map<std::string, int> shown;  ///< frames, by what is said of them
   int returned = -1;  ///< thirtieths of a second from where the picture is good again to a right overlay
-  int latest = -1;    ///< likewise from the first over 10 mm (or the fault) to the first not valid
+  int latest = -1;    ///< likewise the longest run of frames over 10 mm that are valid; -1: none is over
   std::vector<double> milliseconds;
 
   void add(const std::vector<JudgedFrame>& run);
