@@ -65,6 +65,8 @@ class LiveTallyTest : public QObject {
   void ThePageHoldsRocAndTheModelThatStays();
   void WhatDidNotHappenMeetsNoAim();
   void EveryFaultIsNamedOnceAndShowsItself();
+  void AFaultThatNoStageCouldShowIsTold();
+  void ThePageSaysOnWhomLimitsWereSet();
 };
 
 void LiveTallyTest::AreaIsHowOftenAFarFrameScoresMore() {
@@ -223,6 +225,37 @@ void LiveTallyTest::EveryFaultIsNamedOnceAndShowsItself() {
   for (const char* name : {"duplicated", "right_lost", "another_patient", "drift", "lifted_30mm",
                            "start_lifted_30mm", "start_across_40deg", "right_5_late_15fps"})
     QVERIFY2(names.contains(name), name);
+}
+
+void LiveTallyTest::AFaultThatNoStageCouldShowIsTold() {
+  constexpr int kOnset = 10, kFrames = 30;
+  LiveStage stage;
+  for (int k = 0; k < kFrames; ++k) stage.standing.film.push_back(plain_frame(k));
+  Untried untried;
+  const auto try_all = [&] {
+    for (const LiveFault& fault : live_faults(small_rig(), kOnset, kFrames - 1, 1))
+      (void)untried.can_try(stage, fault);
+    return untried.names();
+  };
+  QCOMPARE(try_all(), (std::vector<std::string>{"another_patient", "lifted_30mm"}));
+  stage.other = stage.standing;  // of the next stage
+  QCOMPARE(try_all(), std::vector<std::string>{"lifted_30mm"});
+  stage.other = {};
+  stage.lifted = stage.standing;
+  QVERIFY(try_all().empty());
+}
+
+void LiveTallyTest::ThePageSaysOnWhomLimitsWereSet() {
+  const auto says = [](const std::vector<std::uint64_t>& seeds, const char* words) {
+    return QString::fromStdString(told_of_patients(seeds)).contains(QLatin1String(words));
+  };
+  QVERIFY(says({101}, "of seed 101") && says({101, 102}, "of seed 101, 102"));
+  QVERIFY(says({101}, "limits were set on them") && says({15, 101}, "limits were set on them"));
+  for (const std::uint64_t seed : {15U, 16U, 7U, 2000U}) {
+    QVERIFY(!says({seed}, "limits were set on them") && says({seed}, "did not serve to set limits"));
+    QCOMPARE(says({seed}, "looked at"), seed != 2000);
+  }
+  QVERIFY(told_of_patients({}).empty());
 }
 
 QTEST_APPLESS_MAIN(LiveTallyTest)

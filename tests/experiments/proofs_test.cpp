@@ -28,6 +28,7 @@ class ProofsTest : public QObject {
  private slots:
   void EachProofHasItsNameItsPageAndItsAims();
   void ThePageSaysHowItIsMeasuredAgain();
+  void ThePageSaysOnWhomLimitsWereSet();
   void ThePageHasTheTableWithoutTimes();
   void APageWithGapsTakesNoPlaceUnasked();
   void AMissingAtlasIsRefused();
@@ -54,6 +55,20 @@ void ProofsTest::ThePageSaysHowItIsMeasuredAgain() {
   choices.seed = 7;
   QCOMPARE(page_of(proof, choices, {}).command,
            std::string("glisson prove registration --real-only --development-only --quick --looks --seed 7"));
+}
+
+void ProofsTest::ThePageSaysOnWhomLimitsWereSet() {
+  const auto introduction = [](const char* proof, std::uint64_t seed) {
+    ProofChoices choices;
+    choices.seed = seed;
+    return QString::fromStdString(page_of(*proof_named(proof), choices, {}).introduction);
+  };
+  QVERIFY(introduction("live", 1).contains("of seed 15, 16 (in silico) did not serve to set limits"));
+  QVERIFY(introduction("live", 101).contains("of seed 101 (in silico) served development"));
+  QVERIFY(introduction("patient", 1).contains("ill livers of another seed; ct_chaos3 is for validation ("));
+  QVERIFY(introduction("patient", 2).contains("on these ill livers; ct_chaos3"));
+  for (const char* proof : {"live", "patient", "stereo"})
+    QVERIFY2(introduction(proof, 1).endsWith('.') && !introduction(proof, 1).contains("  "), proof);
 }
 
 void ProofsTest::ThePageHasTheTableWithoutTimes() {

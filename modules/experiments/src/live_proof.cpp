@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_proof.h"
 
+#include <algorithm>
+
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
@@ -25,6 +27,9 @@ constexpr RealSet kRealSets[] = {
      [](const std::filesystem::path& folder) { return opencas(folder, OpencasPart::tissue); }},
     {"stereo_heart", "silicone heart, moved", "live_heart_", heart}};
 
+constexpr std::uint64_t kDevelopment[] = {101, 102};  ///< limits of guidance::JudgeOptions were set on them
+constexpr std::uint64_t kLookedAt[] = {7, 8, 11, 12, 13, 14, 15, 16};  ///< with former programs
+
 /// A moment of its films, to be looked at.
 void write_pictures(const std::filesystem::path& folder, const std::string& set, const LiveStage& stage) {
   const std::size_t k = stage.standing.film.size() / 3;
@@ -42,13 +47,14 @@ struct Sheets {
 
 /// Every fault on one stage. @return false: cancelled.
 bool try_faults(const LiveStage& stage, const std::string& name, std::uint64_t seed,
-                const LiveProofOptions& options, LiveTally& gathered, Sheets& sheets,
+                const LiveProofOptions& options, LiveTally& gathered, Untried& untried, Sheets& sheets,
                 const RunContext& context) {
   const auto faults = live_faults(stage.rig, options.onset, options.frames - 1, seed);
   for (std::size_t i = 0; i < faults.size(); ++i) {
     if (context.cancelled()) return false;
     context.progress(static_cast<double>(i) / static_cast<double>(faults.size()), "demo.track");
-    if (faults[i].name.find(options.only) == std::string::npos || !can_run(stage, faults[i])) continue;
+    if (faults[i].name.find(options.only) == std::string::npos || !untried.can_try(stage, faults[i]))
+      continue;
     const std::vector<JudgedFrame> frames = run_live(stage, faults[i], options.onset);
     gathered.add(faults[i], frames);
     for (const JudgedFrame& judged : frames) {
@@ -59,7 +65,31 @@ bool try_faults(const LiveStage& stage, const std::string& name, std::uint64_t s
   return true;
 }
 
+/// "of seed 15, 16": those of `seeds` that are wanted. Empty: none is.
+template <class Wanted>
+std::string seeds_named(const std::vector<std::uint64_t>& seeds, const Wanted& wanted) {
+  std::string text;
+  for (const std::uint64_t seed : seeds)
+    if (wanted(seed)) text += (text.empty() ? "of seed " : ", ") + std::to_string(seed);
+  return text;
+}
+
 }  // namespace
+
+std::string told_of_patients(const std::vector<std::uint64_t>& seeds) {
+  const auto is_development = [](std::uint64_t seed) { return std::ranges::count(kDevelopment, seed) > 0; };
+  const auto was_looked_at = [](std::uint64_t seed) { return std::ranges::count(kLookedAt, seed) > 0; };
+  std::string text;
+  const auto tell = [&](const std::string& whom, const char* what) {
+    if (!whom.empty()) text += (text.empty() ? "Patients " : "; patients ") + whom + " " + what;
+  };
+  tell(seeds_named(seeds, is_development), "(in silico) served development: limits were set on them");
+  tell(seeds_named(seeds, was_looked_at),
+       "(in silico) did not serve to set limits, but were looked at with former programs");
+  tell(seeds_named(seeds, [&](std::uint64_t seed) { return !is_development(seed) && !was_looked_at(seed); }),
+       "(in silico) did not serve to set limits");
+  return text.empty() ? text : text + ".";
+}
 
 void LiveProofOptions::validate() const {
   const OptionCheck demand("live proof options");
@@ -74,6 +104,7 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
   LiveProof proof;
   Sheets sheets;
   LiveTally theatre;
+  Untried untried;
   const double part = 1.0 / (static_cast<double>(options.seeds.size()) + 1.0);
   double done = 0.0;
   Filmed former;  // another patient's
@@ -81,7 +112,7 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
     auto stage = theatre_stage(seed, options.frames, context.part(done, done + 0.4 * part));
     if (!stage) return std::nullopt;
     stage->other = std::move(former);
-    if (!try_faults(*stage, std::to_string(seed), seed, options, theatre, sheets,
+    if (!try_faults(*stage, std::to_string(seed), seed, options, theatre, untried, sheets,
                     context.part(done + 0.4 * part, done + part)))
       return std::nullopt;
     former = std::move(stage->standing);
@@ -98,12 +129,13 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
     if (!stage) return std::nullopt;
     write_pictures(folder, set.folder, *stage);
     LiveTally gathered;
-    if (!try_faults(*stage, set.folder, 1, options, gathered, sheets,
+    if (!try_faults(*stage, set.folder, 1, options, gathered, untried, sheets,
                     context.part(done + 0.1 * part, done + 0.5 * part)))
       return std::nullopt;
     gathered.sum_up(set.title, set.prefix, proof);
     done += 0.5 * part;
   }
+  for (const std::string& fault : untried.names()) proof.absent.push_back("fault " + fault);
   std::string table;
   for (const std::string& line : proof.table) table += line + "\n";
   write_file_atomically(folder / "live.csv", sheets.frames);

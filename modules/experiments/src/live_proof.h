@@ -17,8 +17,7 @@ namespace glisson::experiments {
 
 /// What is measured.
 struct LiveProofOptions {
-  /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102); 7, 8 and 11
-  /// to 14 were looked at before.
+  /// Patients and theatres. See told_of_patients().
   std::vector<std::uint64_t> seeds{15, 16};
   int frames = 120;  ///< of each run, 30 a second
   int onset = 30;    ///< frame from which a fault of the frames is there
@@ -37,7 +36,7 @@ struct LiveProof {
   /// begin with "live_", those of real pairs with "live_tissue_" and
   /// "live_heart_".
   Figures figures;
-  std::vector<std::string> absent;  ///< sets of real data that were left out
+  std::vector<std::string> absent;  ///< sets of real data that were left out, and faults that nothing showed
   std::vector<std::string> table;   ///< a line each fault, the first its heads
 };
 
@@ -46,6 +45,10 @@ struct LiveProof {
 /// Empty: cancelled. @throws Error.
 Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::filesystem::path& folder,
                                   const RunContext& context);
+
+/// A sentence on whether limits of guidance::JudgeOptions were set on the theatre's patients of these seeds.
+/// Empty: there are none.
+std::string told_of_patients(const std::vector<std::uint64_t>& seeds);
 
 /// What its figures should be.
 const std::vector<Aim>& live_aims();

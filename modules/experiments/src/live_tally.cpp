@@ -128,6 +128,23 @@ void LesionTally::add(const JudgedFrame& judged, bool is_sound) {
   }
 }
 
+bool Untried::can_try(const LiveStage& stage, const LiveFault& fault) {
+  const bool can = can_run(stage, fault);
+  const auto known = std::ranges::find(tried_, fault.name, &std::pair<std::string, bool>::first);
+  if (known == tried_.end())
+    tried_.emplace_back(fault.name, can);
+  else
+    known->second = known->second || can;
+  return can;
+}
+
+std::vector<std::string> Untried::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, was_tried] : tried_)
+    if (!was_tried) names.push_back(name);
+  return names;
+}
+
 void LiveTally::add(const LiveFault& fault, const std::vector<JudgedFrame>& run) {
   if (!tallies_.contains(fault.name)) {
     names_.push_back(fault.name);

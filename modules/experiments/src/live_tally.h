@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "glisson/guidance/lesion_judge.h"
@@ -41,6 +42,18 @@ struct LesionTally {
   Roc roc;
 
   void add(const JudgedFrame& judged, bool is_sound);
+};
+
+/// Faults that no stage could show.
+class Untried {
+ public:
+  /// Whether the stage has what the fault shows; remembers it.
+  bool can_try(const LiveStage& stage, const LiveFault& fault);
+  /// In their order.
+  std::vector<std::string> names() const;
+
+ private:
+  std::vector<std::pair<std::string, bool>> tried_;
 };
 
 /// All runs on one kind of stage.

@@ -40,6 +40,14 @@ Cancellable<Proven> run_patient(const ProofChoices& choices, const fs::path& fol
   return found;
 }
 
+std::string whom_patient(const ProofChoices& choices) {
+  constexpr std::uint64_t kDevelopment = 2;
+  return std::string("The settings were chosen on ct_ircad1 and on ") +
+         (choices.seed == kDevelopment ? "these ill livers" : "ill livers of another seed") + "; ct_chaos3 " +
+         (choices.seed == 1 ? "is for validation (and its lowest slice still shows liver)."
+                            : "is for validation, with seed 1 alone.");
+}
+
 Cancellable<Proven> run_stereo(const ProofChoices& choices, const fs::path& folder,
                                const RunContext& context) {
   StereoProofOptions options;
@@ -50,10 +58,16 @@ Cancellable<Proven> run_stereo(const ProofChoices& choices, const fs::path& fold
 }
 
 /// Seed 1 measures on the default patients, another one on the patient of that seed alone.
+std::vector<std::uint64_t> live_seeds(const ProofChoices& choices) {
+  if (choices.real_only) return {};
+  return choices.seed == 1 ? LiveProofOptions().seeds : std::vector<std::uint64_t>{choices.seed};
+}
+
+std::string whom_live(const ProofChoices& choices) { return told_of_patients(live_seeds(choices)); }
+
 Cancellable<Proven> run_live(const ProofChoices& choices, const fs::path& folder, const RunContext& context) {
   LiveProofOptions options;
-  if (choices.seed != 1) options.seeds.assign(1, choices.seed);
-  if (choices.real_only) options.seeds.clear();
+  options.seeds = live_seeds(choices);
   options.data = choices.data;
   return proven_of(prove_live(options, folder, context));
 }
@@ -92,30 +106,28 @@ constexpr Proof kProofs[] = {
     {"patient", "From the CT to the model",
      "3D-IRCADb-01 patient 1 (real CT) against its expert's labels, and the synthetic patient (in silico) "
      "against its truth, both segmented by clicks; vessels edited by twenty simulated strokes. The trials: "
-     "each liver from ten random clicks, five of them in it, then with a click on each lesion. The settings "
-     "were chosen on ct_ircad1 and on ill livers of another seed; ct_chaos3 is for validation (and its "
-     "lowest slice still shows liver).",
-     patient_aims, run_patient},
+     "each liver from ten random clicks, five of them in it, then with a click on each lesion.",
+     whom_patient, patient_aims, run_patient},
     {"stereo", "From the laparoscope's pictures to clouds",
      "A pair of real liver tissue against its CT surface, pairs of a chessboard and of a silicone heart "
      "(phantoms, real cameras), and pictures of the theatre (in silico), whose depth is known.",
-     stereo_aims, run_stereo},
+     nullptr, stereo_aims, run_stereo},
     {"registration", "How far off a registration is, and whether it says so",
      "Livers (synthetic, real CTs' label maps, surfaces) handled in silico in ways that the registration's "
      "prior does not know, with noisy clouds of a part of the surface; and clouds that are not of the "
      "patient, or not as they should be. Limits were set on the development patients alone.",
-     registration_aims, run_registration},
+     nullptr, registration_aims, run_registration},
     {"live", "What the live overlay says of itself when something is wrong",
-     "Wrong starts, and faults put into the frames of the theatre (in silico), on patients and films that no "
-     "limit was set on; and into real pairs of liver tissue (for development) and of a silicone heart (for "
-     "validation) that are set in motion in a known way: real texture and lens, simulated motion.",
-     live_aims, run_live},
+     "Wrong starts, and faults put into the frames of the theatre (in silico), and into real pairs of "
+     "liver tissue (for development) and of a silicone heart (for validation) that are set in motion in a "
+     "known way: real texture and lens, simulated motion.",
+     whom_live, live_aims, run_live},
     {"pulled", "Bare organs that are pulled at a few places",
      "Neo-Hookean organs (in silico) that are held somewhere and pulled or pressed at one to three places, "
      "with clouds of 500 points of a fifth of the surface: registered from rest and followed. Of loose ones "
      "nobody says what holds them nor where they are before the camera; 44 % of them is seen. And "
      "elastic_sequence (Mestdagh and Cotin 2022, linear, in silico, not ours).",
-     pulled_aims, run_pulled},
+     nullptr, pulled_aims, run_pulled},
     {"atlas", "Landmarks that the CT does not show",
      "Ten livers of the synthetic population (in silico, landmarks by formula) and the real livers of the "
      "label maps (those of even numbers alone, with --development-only: they served development), each "
@@ -125,7 +137,7 @@ constexpr Proof kProofs[] = {
      "that is a little longer or shorter moves. And what landmarks are worth to a registration (in silico): "
      "the same clouds, 30 % seen, with none, with a person's, with a person's whose notch is 17.5 mm off, "
      "and with the atlas's, all accepted.",
-     atlas_aims, run_atlas},
+     nullptr, atlas_aims, run_atlas},
 };
 
 }  // namespace
@@ -142,6 +154,8 @@ ProofPage page_of(const Proof& proof, const ProofChoices& choices, const Proven&
   ProofPage page;
   page.title = proof.title;
   page.introduction = proof.introduction;
+  if (const std::string whom = proof.whom != nullptr ? proof.whom(choices) : ""; !whom.empty())
+    page.introduction += " " + whom;
   page.command = std::string("glisson prove ") + proof.name + (choices.real_only ? " --real-only" : "") +
                  (choices.development_only ? " --development-only" : "") + (choices.quick ? " --quick" : "") +
                  (choices.looks ? " --looks" : "") + " --seed " + std::to_string(choices.seed);

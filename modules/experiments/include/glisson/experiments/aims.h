@@ -41,7 +41,7 @@ struct ProofPage {
   std::string command;  ///< by which it is measured again
   std::vector<Aim> aims;
   Figures figures;
-  std::vector<std::string> absent;  ///< data that were not there
+  std::vector<std::string> absent;  ///< data that were not there, and what could not be tried
   std::vector<std::string> table;   ///< lines of fixed width, the first the heads; may be empty
 };
 /// Markdown: the aims with what was measured, then the table, then all other figures. Holds neither dates nor

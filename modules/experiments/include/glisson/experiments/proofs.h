@@ -39,15 +39,17 @@ struct ProofChoices {
 struct Proven {
   Figures figures;  ///< flat, units in the names
   std::vector<std::string> notes;
-  std::vector<std::string> absent;      ///< data that were not there
+  std::vector<std::string> absent;      ///< data that were not there, and what could not be tried
   std::vector<std::string> table;       ///< lines of fixed width, the first the heads; may be empty
   std::vector<std::string> page_table;  ///< the same without times
 };
 
 /// One part of the way, measured against what its figures should be.
 struct Proof {
-  const char* name;                   ///< as in "glisson prove NAME"
-  const char *title, *introduction;   ///< of its page, English
+  const char* name;                  ///< as in "glisson prove NAME"
+  const char *title, *introduction;  ///< of its page, English
+  /// What the introduction ends with: whether limits were set on those who are measured. Null: nothing.
+  std::string (*whom)(const ProofChoices& choices);
   const std::vector<Aim>& (*aims)();  ///< that it is measured against
   /// Minutes to hours. Leaves what is worth a look in `folder`, which exists. Empty: cancelled.
   /// @throws InputError naming a choice that cannot be; Error of any stage.
