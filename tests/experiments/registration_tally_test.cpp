@@ -48,6 +48,7 @@ class RegistrationTallyTest : public QObject {
   void WhatDidNotHappenMeetsNoAim();
   void AMethodThatWasNotTriedHasNoError();
   void MethodsAreComparedOnTheSameRegistrations();
+  void WhoeverFailsOnHardCloudsMissesTheAim();
   void WhatIsWrittenIsReadAgain();
   void EvenRightExpectationsCorrelateOnlySoFar();
 };
@@ -102,6 +103,19 @@ void RegistrationTallyTest::MethodsAreComparedOnTheSameRegistrations() {
   const RegistrationProof none = proof_of({failed});
   QVERIFY(std::isnan(none.figures.at("registration_validation_20_mean_mm")));
   QVERIFY(verdict_of("registration_validation_rigid_beaten_share", none) == Verdict::missed);
+}
+
+void RegistrationTallyTest::WhoeverFailsOnHardCloudsMissesTheAim() {
+  RegistrationTrial failed = trial(std::numeric_limits<double>::infinity(), 20e-3);
+  failed.refused = true;
+  const char* aim = "registration_validation_20_all_mean_mm";
+  const RegistrationProof all = proof_of({trial(2e-3, 4e-3)});
+  QCOMPARE(all.figures.at("registration_validation_20_failed"), 0.0);
+  QVERIFY(verdict_of(aim, all) == Verdict::met);
+  const RegistrationProof some = proof_of({trial(2e-3, 4e-3), failed});
+  QCOMPARE(some.figures.at("registration_validation_20_failed"), 1.0);
+  QVERIFY(verdict_of(aim, some) == Verdict::missed);
+  QVERIFY(verdict_of(aim, proof_of({failed})) == Verdict::missed);
 }
 
 void RegistrationTallyTest::WhatIsWrittenIsReadAgain() {

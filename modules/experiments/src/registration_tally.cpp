@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -42,16 +43,21 @@ std::string shown_mm(const Mean& mean) { return figure_text("%.2f", millimetres(
 
 struct Cell {
   Mean ours, paper, rigid, lesion;
-  int doubted = 0, count = 0;
+  int doubted = 0, count = 0, failed = 0;
   void add(const RegistrationTrial& trial) {
     doubted += trial.doubted();
     ++count;
-    if (!std::isfinite(trial.mean)) return;  // the others are compared on the registrations that there are
+    if (!std::isfinite(trial.mean)) {
+      ++failed;
+      return;  // the others are compared on the registrations that there are
+    }
     ours.add(trial.mean);
     paper.add(trial.paper_mean);
     rigid.add(trial.rigid_mean);
     lesion.add(trial.worst_lesion());
   }
+  /// Over all clouds: a method is not the better for having failed on the hard ones.
+  double mean_of_all() const { return failed > 0 ? std::numeric_limits<double>::infinity() : ours.value(); }
 };
 
 struct Tally {
@@ -246,6 +252,8 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     row("all", share, cell);
     const std::string at = prefix + std::to_string(std::lround(100.0 * share)) + "_";
     proof.figures[at + "mean_mm"] = millimetres(cell.ours.value());
+    proof.figures[at + "all_mean_mm"] = millimetres(cell.mean_of_all());
+    proof.figures[at + "failed"] = cell.failed;
     proof.figures[at + "paper_mean_mm"] = millimetres(cell.paper.value());
     proof.figures[at + "rigid_mean_mm"] = millimetres(cell.rigid.value());
     proof.figures[at + "undoubted_mean_mm"] = millimetres(undoubted[share].value());
