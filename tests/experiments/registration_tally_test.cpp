@@ -9,6 +9,7 @@
 
 #include "glisson/core/random.h"
 #include "glisson/experiments/aims.h"
+#include "registration_joined.h"
 #include "registration_trials.h"
 
 using namespace glisson;
@@ -49,6 +50,7 @@ class RegistrationTallyTest : public QObject {
   void AMethodThatWasNotTriedHasNoError();
   void MethodsAreComparedOnTheSameRegistrations();
   void WhoeverFailsOnHardCloudsMissesTheAim();
+  void JoinedLooksAreComparedWhereNeitherWasRefused();
   void WhatIsWrittenIsReadAgain();
   void EvenRightExpectationsCorrelateOnlySoFar();
 };
@@ -116,6 +118,35 @@ void RegistrationTallyTest::WhoeverFailsOnHardCloudsMissesTheAim() {
   QCOMPARE(some.figures.at("registration_validation_20_failed"), 1.0);
   QVERIFY(verdict_of(aim, some) == Verdict::missed);
   QVERIFY(verdict_of(aim, proof_of({failed})) == Verdict::missed);
+}
+
+void RegistrationTallyTest::JoinedLooksAreComparedWhereNeitherWasRefused() {
+  const auto found = [](double error, bool refused) {
+    JoinedTrial::Found one;
+    one.error = error;
+    one.refused = refused;
+    return one;
+  };
+  const double never = std::numeric_limits<double>::infinity();
+  const std::vector<JoinedTrial> trials = {
+      {"somebody", "lifted", found(4e-3, false), found(2e-3, false), found(9e-3, true)},
+      {"somebody", "pressed", found(6e-3, false), found(5e-3, false), found(8e-3, false)},
+      {"somebody", "turned", found(30e-3, false), found(40e-3, true), found(7e-3, true)},
+      {"somebody", "pulled", found(never, true), found(20e-3, false), found(6e-3, false)}};
+  RegistrationProof proof;
+  sum_up(trials, "validation", proof);
+  const auto figure = [&](const std::string& key) {
+    return proof.figures.at("registration_validation_" + key);
+  };
+  QCOMPARE(figure("joined_trials"), 4.0);
+  QCOMPARE(figure("joined_compared"), 2.0);
+  QCOMPARE(figure("joined_alone_mean_mm"), 5.0);
+  QCOMPARE(figure("joined_mean_mm"), 3.5);
+  QCOMPARE(figure("joined_median_mm"), 5.0);
+  QCOMPARE(figure("joined_alone_refused"), 1.0);
+  QCOMPARE(figure("joined_refused"), 1.0);
+  QCOMPARE(figure("moved_refused"), 2.0);
+  QCOMPARE(figure("moved_mean_mm"), 7.0);
 }
 
 void RegistrationTallyTest::WhatIsWrittenIsReadAgain() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 
 #include "glisson/core/error.h"
@@ -40,20 +41,22 @@ std::string shown(const JoinedTrial::Found& one) {
   return text;
 }
 
-void add(const std::vector<JoinedTrial>& trials, JoinedTrial::Found JoinedTrial::*which,
-         const std::string& prefix, RegistrationProof& proof) {
+void add_counts(const std::vector<JoinedTrial>& trials, JoinedTrial::Found JoinedTrial::*which,
+                const std::string& prefix, RegistrationProof& proof) {
+  const auto count = [&](bool JoinedTrial::Found::*what) {
+    return static_cast<double>(std::count_if(trials.begin(), trials.end(),
+                                             [&](const JoinedTrial& trial) { return trial.*which.*what; }));
+  };
+  proof.figures[prefix + "refused"] = count(&JoinedTrial::Found::refused);
+  proof.figures[prefix + "told"] = count(&JoinedTrial::Found::told);
+}
+
+/// Of those that were not refused.
+void add_errors(const std::vector<JoinedTrial>& trials, JoinedTrial::Found JoinedTrial::*which,
+                const std::string& prefix, RegistrationProof& proof) {
   std::vector<double> errors;
-  double refused = 0.0, told = 0.0;
-  for (const JoinedTrial& trial : trials) {
-    const JoinedTrial::Found& one = trial.*which;
-    told += one.told ? 1.0 : 0.0;
-    if (one.refused)
-      refused += 1.0;
-    else
-      errors.push_back(1e3 * one.error);
-  }
-  proof.figures[prefix + "refused"] = refused;
-  proof.figures[prefix + "told"] = told;
+  for (const JoinedTrial& trial : trials)
+    if (!(trial.*which).refused) errors.push_back(1e3 * (trial.*which).error);
   if (errors.empty()) return;
   double sum = 0.0;
   for (const double error : errors) sum += error / static_cast<double>(errors.size());
@@ -96,9 +99,18 @@ void sum_up(const std::vector<JoinedTrial>& trials, const std::string& set, Regi
   }
   const std::string prefix = "registration_" + set + "_joined_";
   proof.figures[prefix + "trials"] = static_cast<double>(trials.size());
-  add(trials, &JoinedTrial::alone, prefix + "alone_", proof);
-  add(trials, &JoinedTrial::joined, prefix, proof);
-  add(trials, &JoinedTrial::moved, "registration_" + set + "_moved_", proof);
+  // Only where neither was refused are the two compared: joining is not the better for what it refused.
+  std::vector<JoinedTrial> compared;
+  std::copy_if(trials.begin(), trials.end(), std::back_inserter(compared),
+               [](const JoinedTrial& trial) { return !trial.alone.refused && !trial.joined.refused; });
+  proof.figures[prefix + "compared"] = static_cast<double>(compared.size());
+  add_counts(trials, &JoinedTrial::alone, prefix + "alone_", proof);
+  add_errors(compared, &JoinedTrial::alone, prefix + "alone_", proof);
+  add_counts(trials, &JoinedTrial::joined, prefix, proof);
+  add_errors(compared, &JoinedTrial::joined, prefix, proof);
+  const std::string moved = "registration_" + set + "_moved_";
+  add_counts(trials, &JoinedTrial::moved, moved, proof);
+  add_errors(trials, &JoinedTrial::moved, moved, proof);
 }
 
 }  // namespace glisson::experiments

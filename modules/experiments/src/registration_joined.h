@@ -31,7 +31,8 @@ struct JoinedTrial {
 std::vector<JoinedTrial> try_joined(const RegistrationStage& stage, std::size_t number,
                                     const RegistrationProofOptions& options, const RunContext& context);
 
-/// Adds one set's figures (prefixes "joined_", "moved_") and table.
+/// Adds one set's figures (prefixes "joined_", "moved_") and table. Errors "joined_alone_" and "joined_" are
+/// over the "joined_compared" trials in which neither was refused; those of "moved_" over its own unrefused.
 void sum_up(const std::vector<JoinedTrial>& trials, const std::string& set, RegistrationProof& proof);
 
 }  // namespace glisson::experiments
