@@ -2352,6 +2352,10 @@
         <translation>gehört zu keinem Tetraeder</translation>
     </message>
     <message>
+        <source>are in %1 pieces that share no node</source>
+        <translation>liegen in %1 Stücken, die keinen Knoten gemeinsam haben</translation>
+    </message>
+    <message>
         <source>holds none</source>
         <translation>enthält keine</translation>
     </message>
@@ -2766,6 +2770,10 @@
     <message>
         <source>Remove the vertices that the volume does not use</source>
         <translation>Entfernen Sie die Eckpunkte, die das Volumen nicht braucht</translation>
+    </message>
+    <message>
+        <source>Merge the vertices that lie in the same place, or leave the loose pieces out</source>
+        <translation>Verschmelzen Sie die Eckpunkte, die am selben Ort liegen, oder lassen Sie die losen Stücke weg</translation>
     </message>
     <message>
         <source>Give .vtu, .vtk, .msh, .vtp, .stl, .obj or .ply</source>
@@ -6069,6 +6077,10 @@
         <translation>Die Leber ist kleiner als 400 ml: in den Schichten prüfen.</translation>
     </message>
     <message>
+        <source>The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no surface. Segment a larger region.</source>
+        <translation>Die Leber endet am Rand des segmentierten Bereichs: %1 cm² dort sind ein Schnitt und keine Oberfläche. Segmentieren Sie einen größeren Bereich.</translation>
+    </message>
+    <message>
         <source>The liver is larger than 4000 ml: check it in the slices.</source>
         <translation>Die Leber ist größer als 4000 ml: in den Schichten prüfen.</translation>
     </message>
@@ -6473,6 +6485,10 @@
         <translation>Doppelte Punkte der Wolke wurden weggelassen: %1.</translation>
     </message>
     <message>
+        <source>Normals of the cloud that faced away from the camera were turned: %1. It saw the side that faces it.</source>
+        <translation>Normalen der Punktwolke, die von der Kamera weg zeigten, wurden umgedreht: %1. Sie hat die Seite gesehen, die ihr zugewandt ist.</translation>
+    </message>
+    <message>
         <source>Points of the cloud at the lens itself were left out: %1. Such a point has no depth.</source>
         <translation>Punkte der Wolke am Objektiv selbst wurden weggelassen: %1. Ein solcher Punkt hat keine Tiefe.</translation>
     </message>
@@ -6647,6 +6663,18 @@
     <message>
         <source>Labels of which the codes say nothing were left out: %*.</source>
         <translation>Labels, über die die Codes nichts sagen, wurden weggelassen: %*.</translation>
+    </message>
+    <message>
+        <source>No label was free for the smallest pieces of %1: %2 stayed with it.</source>
+        <translation>Für die kleinsten Stücke von %1 war kein Label frei: %2 blieben dabei.</translation>
+    </message>
+    <message>
+        <source>%1 lay in %2 pieces more than 5 mm apart: each is a lesion of its own now.</source>
+        <translation>%1 lag in %2 Stücken, die mehr als 5 mm auseinander liegen: jedes ist jetzt eine eigene Läsion.</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 pieces more than 5 mm apart, and is judged as one, at the middle of all. Split it into islands and build the model again.</source>
+        <translation>%1 liegt in %2 Stücken, die mehr als 5 mm auseinander liegen, und wird als eine beurteilt, in der Mitte von allen. Teilen Sie sie in Inseln und erzeugen Sie das Modell neu.</translation>
     </message>
     <message>
         <source>The mesh does not say what its labels mean. They were taken as Glisson&apos;s own: %*. If they mean something else, write Glisson&apos;s into it: 1 is the parenchyma, 16 the first lesion.</source>

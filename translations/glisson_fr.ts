@@ -2352,6 +2352,10 @@
         <translation>n’appartient à aucun tétraèdre</translation>
     </message>
     <message>
+        <source>are in %1 pieces that share no node</source>
+        <translation>sont en %1 morceaux qui ne partagent aucun nœud</translation>
+    </message>
+    <message>
         <source>holds none</source>
         <translation>n’en contient pas</translation>
     </message>
@@ -2766,6 +2770,10 @@
     <message>
         <source>Remove the vertices that the volume does not use</source>
         <translation>Retirez les sommets que le volume n’utilise pas</translation>
+    </message>
+    <message>
+        <source>Merge the vertices that lie in the same place, or leave the loose pieces out</source>
+        <translation>Fusionnez les sommets situés au même endroit, ou laissez de côté les morceaux isolés</translation>
     </message>
     <message>
         <source>Give .vtu, .vtk, .msh, .vtp, .stl, .obj or .ply</source>
@@ -6069,6 +6077,10 @@
         <translation>Le foie fait moins de 400 ml : vérifiez-le dans les coupes.</translation>
     </message>
     <message>
+        <source>The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no surface. Segment a larger region.</source>
+        <translation>Le foie se termine au bord de la région segmentée : %1 cm² y sont une coupe et non une surface. Segmentez une région plus grande.</translation>
+    </message>
+    <message>
         <source>The liver is larger than 4000 ml: check it in the slices.</source>
         <translation>Le foie fait plus de 4000 ml : vérifiez-le dans les coupes.</translation>
     </message>
@@ -6473,6 +6485,10 @@
         <translation>Des points en double du nuage ont été écartés : %1.</translation>
     </message>
     <message>
+        <source>Normals of the cloud that faced away from the camera were turned: %1. It saw the side that faces it.</source>
+        <translation>Des normales du nuage de points qui se détournaient de la caméra ont été retournées : %1. Elle a vu le côté qui lui fait face.</translation>
+    </message>
+    <message>
         <source>Points of the cloud at the lens itself were left out: %1. Such a point has no depth.</source>
         <translation>Des points du nuage situés à l&apos;objectif même ont été écartés : %1. Un tel point n&apos;a pas de profondeur.</translation>
     </message>
@@ -6647,6 +6663,18 @@
     <message>
         <source>Labels of which the codes say nothing were left out: %*.</source>
         <translation>Des étiquettes dont les codes ne disent rien ont été laissées de côté : %*.</translation>
+    </message>
+    <message>
+        <source>No label was free for the smallest pieces of %1: %2 stayed with it.</source>
+        <translation>Aucune étiquette n’était libre pour les plus petits morceaux de %1 : %2 y sont restés.</translation>
+    </message>
+    <message>
+        <source>%1 lay in %2 pieces more than 5 mm apart: each is a lesion of its own now.</source>
+        <translation>%1 était en %2 morceaux distants de plus de 5 mm : chacun est désormais une lésion à part.</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 pieces more than 5 mm apart, and is judged as one, at the middle of all. Split it into islands and build the model again.</source>
+        <translation>%1 est en %2 morceaux distants de plus de 5 mm, et jugée comme une seule, au milieu de tous. Divisez-la en îlots et reconstruisez le modèle.</translation>
     </message>
     <message>
         <source>The mesh does not say what its labels mean. They were taken as Glisson&apos;s own: %*. If they mean something else, write Glisson&apos;s into it: 1 is the parenchyma, 16 the first lesion.</source>

@@ -27,6 +27,7 @@ class MeshIoTest : public QObject {
   void AllNegativeMeshIsTurned();
   void SomeInvertedTetrahedraAreRefused();
   void UnusedNodeIsRefused();
+  void LoosePiecesAreRefused();
   void NotANumberIsRefused();
   void MissingFileIsAFileError();
   void UnknownExtensionIsRefused();
@@ -148,6 +149,25 @@ void MeshIoTest::UnusedNodeIsRefused() {
   write_tet_mesh(path, mesh, LengthUnit::millimetre);
   QVERIFY(complaint([&] { read_tet_mesh(path, LengthUnit::millimetre); }).find("vertex 5") !=
           std::string::npos);
+}
+
+/// As programs write bodies side by side: what touches has nodes of its own.
+void MeshIoTest::LoosePiecesAreRefused() {
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "mesh.vtu";
+  const TetMesh one = two_tetrahedra();
+  const int n = one.vertex_count();
+  TetMesh twice;
+  twice.vertices.resize(2 * n, 3);
+  twice.vertices << one.vertices, one.vertices;
+  twice.tetrahedra.resize(4, 4);
+  twice.tetrahedra << one.tetrahedra, (one.tetrahedra.array() + n).matrix();
+  twice.labels = one.labels;
+  twice.labels.insert(twice.labels.end(), one.labels.begin(), one.labels.end());
+  write_tet_mesh(path, twice, LengthUnit::millimetre);
+  const std::string message = complaint([&] { read_tet_mesh(path, LengthUnit::millimetre); });
+  QVERIFY2(message.find("2 pieces") != std::string::npos, message.c_str());
+  QVERIFY(message.find("Merge") != std::string::npos);
 }
 
 void MeshIoTest::NotANumberIsRefused() {

@@ -55,6 +55,19 @@ void require_every_node_used(const TetMesh& mesh, const std::string& name) {
                      "Remove the vertices that the volume does not use");
 }
 
+/// Nothing carries a piece that shares no node with the rest: it would stay behind, or fly off.
+void require_one_piece(const TetMesh& mesh, const std::string& name) {
+  TriangleMesh joined;  // two triangles join the four corners of each
+  joined.vertices = mesh.vertices;
+  joined.triangles.resize(2 * mesh.tetrahedra.rows(), 3);
+  joined.triangles << mesh.tetrahedra.leftCols<3>(), mesh.tetrahedra.rightCols<3>();
+  int pieces = 0;
+  connected_components(joined, &pieces);
+  if (pieces > 1)
+    throw InputError(name, "tetrahedra", "are in " + std::to_string(pieces) + " pieces that share no node",
+                     "Merge the vertices that lie in the same place, or leave the loose pieces out");
+}
+
 /// Turns a mesh whose every tetrahedron is negative: some programs order the corners the other way round.
 void follow_our_orientation(TetMesh& mesh) {
   if (mesh.tetrahedron_count() > 0 && tetrahedron_volumes(mesh).maxCoeff() < 0.0) orient_tetrahedra(mesh);
@@ -97,6 +110,7 @@ TetFile read_tet_file(const fs::path& path, LengthUnit unit, MeshShape shape) {
   else
     check_connectivity(file.mesh, name);
   require_every_node_used(file.mesh, name);
+  if (shape == MeshShape::at_rest) require_one_piece(file.mesh, name);
   return file;
 }
 

@@ -23,6 +23,9 @@ class Notes {
         {"liver.cut_off",
          tr("The image ends inside the liver: %1 cm² of its surface are a cut and no surface. Take a whole "
             "CT, or register nothing of what lies there.")},
+        {"liver.cut_by_region",
+         tr("The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no "
+            "surface. Segment a larger region.")},
         {"image.metal", tr("Something denser than any bone, as metal is, lies in %1 slices of the liver or "
                            "next to them: its streaks may have taken liver away or added to it. "
                            "Check these slices.")},
@@ -105,6 +108,9 @@ class Notes {
         {"lesion.clipped", tr("%1: %2 % of its volume lie outside the liver or in another lesion; its "
                               "elements leave that out.")},
         {"lesion.dropped", tr("%1 was left out: only %3 mm³.")},
+        {"lesion.in_pieces",
+         tr("%1 lies in %2 pieces more than 5 mm apart, and is judged as one, at the middle of all. Split it "
+            "into islands and build the model again.")},
         {"lesion.crumbs_dropped", tr("Crumbs of lesion surfaces left out: %1.")},
         {"lesion.too_small_for_the_mesh",
          tr("%1 (%3 mm across) is too small for elements of its own; it follows the tissue around it.")},
@@ -189,6 +195,9 @@ class Notes {
         {"cloud.repeated", tr("Points of the cloud that were there twice were left out: %1.")},
         {"cloud.without_depth",
          tr("Points of the cloud at the lens itself were left out: %1. Such a point has no depth.")},
+        {"cloud.normals_turned", tr("Normals of the cloud that faced away from the camera were turned: %1. "
+                                    "It saw the side that faces "
+                                    "it.")},
         {"cloud.behind",
          tr("Points of the cloud that lie behind the camera: %1. The organ is registered to them, but no "
             "picture shows it there. If they are from OpenGL or VTK, turn them by 180° about x.")},
@@ -268,6 +277,10 @@ class Notes {
         {"labels.segments_left_out",
          tr("Segments that the file does not say to be anything of the liver were left out: %*.")},
         {"labels.codes_left_out", tr("Labels of which the codes say nothing were left out: %*.")},
+        {"labels.lesion_split",
+         tr("%1 lay in %2 pieces more than 5 mm apart: each is a lesion of its own now.")},
+        {"labels.lesion_not_split",
+         tr("No label was free for the smallest pieces of %1: %2 stayed with it.")},
         {"labels.by_number",
          tr("The file does not say what its numbers mean. They were taken as Glisson's own: %*. If they mean "
             "something else, import it again by 'glisson model --labels FILE --codes FILE'.")},

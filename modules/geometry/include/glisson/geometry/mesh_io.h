@@ -44,7 +44,8 @@ enum class MeshShape { at_rest, deformed };
 /// are left out. A mesh whose every tetrahedron is negatively oriented follows the other convention and is
 /// turned.
 /// @throws FileError missing; InputError malformed, not finite, other volume cells, some tetrahedra inverted
-///   or flat (see check_tetrahedra; of a deformed one they are not asked), nodes that no tetrahedron uses.
+///   or flat (see check_tetrahedra; of a deformed one they are not asked), nodes that no tetrahedron uses,
+///   pieces that share no node (not asked of a deformed one either).
 TetFile read_tet_file(const std::filesystem::path& path, LengthUnit unit,
                       MeshShape shape = MeshShape::at_rest);
 /// The mesh alone.
