@@ -36,6 +36,7 @@ class DicomLabelsTest : public QObject {
   void VoxelsThatNoSegmentNamesAreTold();
   void NamedSegmentsThatMeanNothingAreRefused();
   void NumbersWithoutForeignNamesAreTaken();
+  void AllTumoursUnderOneNumberAreOneLesionEach();
   void NamedSegmentsThatLieMirroredAreRefused();
   void AnotherGridIsRefused();
   void AnotherFrameOfReferenceIsTold();
@@ -217,6 +218,29 @@ void DicomLabelsTest::NumbersWithoutForeignNamesAreTaken() {
                                        std::to_string(kThird) + ' ' + structure_name(kThird)}));
     QVERIFY(script_->state()[part::labels]->voxels == labels_);
   }
+}
+
+/// As in the files of most data sets: 1 is the liver, 2 all its tumours.
+void DicomLabelsTest::AllTumoursUnderOneNumberAreOneLesionEach() {
+  VolumeGrid grid;
+  grid.size = {20, 6, 6};
+  grid.spacing_mm.setConstant(2.0);
+  LabelVolume theirs(grid);
+  for (int i = 0; i < 20; ++i) theirs.set({i, 3, 3}, 1);
+  for (const int i : {2, 10, 11, 18}) theirs.set({i, 3, 3}, 2);
+  write_labels(at("theirs.nii.gz"), theirs, {});
+  Script script{RunContext()};
+  const auto outcome = script.run(
+      ImportLabels{at("theirs.nii.gz"), {{1, structure::kParenchyma}, {2, structure::kFirstLesion}}});
+  QCOMPARE(outcome->notes, std::vector<std::string>{"labels.lesion_split lesion_1 3"});
+  const LabelVolume& taken = script.state()[part::labels]->voxels;
+  QCOMPARE(taken.at({11, 3, 3}), structure::kFirstLesion);
+  QCOMPARE(taken.at({2, 3, 3}) + taken.at({18, 3, 3}), 2 * structure::kFirstLesion + 3);
+  QCOMPARE(taken.at({5, 3, 3}), structure::kParenchyma);
+  // Glisson's own say which is which: two places that a person made one stay one.
+  write_labels(at("own.seg.nrrd"), theirs,
+               {structure_info(structure::kParenchyma), structure_info(structure::kPortalVein)});
+  QVERIFY(script.run(ImportLabels{at("own.seg.nrrd"), {}})->notes.empty());
 }
 
 void DicomLabelsTest::NamedSegmentsThatLieMirroredAreRefused() {

@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/model/label_surfaces.h"
 #include "glisson/patient/cut_organ.h"
+#include "glisson/patient/lesion_pieces.h"
 #include "surface_field.h"
 
 namespace glisson::model {
@@ -56,6 +57,13 @@ bool is_dropped(Label lesion, double mm3, std::vector<std::string>& notes) {
   if (mm3 >= kLeastLesionMm3) return false;
   notes.push_back("lesion.dropped " + structure_name(lesion) + " mm3 " + shown(mm3));
   return true;
+}
+
+/// A lesion in pieces is one for all that is said of it.
+void note_pieces(const LabelVolume& labels, Label lesion, std::vector<std::string>& notes) {
+  const std::size_t pieces = lesion_pieces(labels, lesion).size();
+  if (pieces > 1)
+    notes.push_back("lesion.in_pieces " + structure_name(lesion) + ' ' + std::to_string(pieces));
 }
 
 /// Vessel voxels in the liver or at its entrances.
@@ -130,6 +138,7 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= liver[i];
       const double mm3 = static_cast<double>(count(mask)) * grid.voxel_volume_mm3();
       if (is_dropped(label, mm3, anatomy.notes)) continue;
+      note_pieces(voxels, label, anatomy.notes);
       anatomy.lesions.emplace_back(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid)));
       anatomy.surfaces.push_back(surface_of(label, anatomy.lesions.back().second));
     } else if (label <= structure::kGallbladder) {

@@ -13,4 +13,15 @@ inline Eigen::Vector3i voxel_of(const LabelVolume& labels, std::size_t brick, st
          Eigen::Vector3i(n % kSide, n / kSide % kSide, n / (kSide * kSide));
 }
 
+/// Each voxel of a label, in the order of the bricks.
+template <class Visit>
+void each_voxel(const LabelVolume& labels, Label label, const Visit& visit) {
+  for (std::size_t number = 0; number < labels.brick_count(); ++number) {
+    const auto& brick = labels.brick(number);
+    if (!brick) continue;
+    for (std::size_t at = 0; at < brick->size(); ++at)
+      if ((*brick)[at] == label) visit(voxel_of(labels, number, at));
+  }
+}
+
 }  // namespace glisson

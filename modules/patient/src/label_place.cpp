@@ -6,20 +6,6 @@
 #include "brick_voxels.h"
 
 namespace glisson {
-namespace {
-
-template <class Visit>
-void each_voxel(const LabelVolume& labels, Label label, const Visit& visit) {
-  for (std::size_t number = 0; number < labels.brick_count(); ++number) {
-    const auto& brick = labels.brick(number);
-    if (!brick) continue;
-    for (std::size_t at = 0; at < brick->size(); ++at)
-      if ((*brick)[at] == label) visit(voxel_of(labels, number, at));
-  }
-}
-
-}  // namespace
-
 std::optional<Point<CtFrame>> place_of(const LabelVolume& labels, Label label) {
   const VolumeGrid& grid = labels.grid();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

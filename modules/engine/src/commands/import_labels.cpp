@@ -11,6 +11,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/source.h"
+#include "glisson/patient/lesion_pieces.h"
 #include "glisson/patient/segment_meaning.h"
 #include "glisson/volume/dicom_segmentation.h"
 #include "label_steps.h"
@@ -163,6 +164,19 @@ LabelMap labels_of(const Read& read, const std::string& path) {
   return {read.file.voxels, read.file.infos};
 }
 
+/// In files of others all tumours are often one label; Glisson's own say which is which. Each piece takes
+/// over how far a person had come with the label.
+void part_lesions(LabelMap& labels, Review& review, std::vector<std::string>& notes) {
+  for (const LesionSplit& split : split_lesions(labels)) {
+    const std::string name = structure_name(split.lesion) + ' ';
+    notes.push_back("labels.lesion_split " + name + std::to_string(split.others.size() + 1));
+    if (split.left > 0) notes.push_back("labels.lesion_not_split " + name + std::to_string(split.left));
+    const auto state = review.find(split.lesion);
+    if (state == review.end()) continue;
+    for (const Label piece : split.others) review[piece] = state->second;
+  }
+}
+
 void require_parenchyma(const Figures& figures, const std::filesystem::path& path) {
   if (!figures.contains("label_parenchyma_ml"))
     throw InputError(path.string(), "labels", "none of them is the liver's parenchyma",
@@ -183,8 +197,11 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   Read file = read(*this, state);
   if (context.cancelled()) return {};
   Applied applied{state, {}, std::move(file.notes)};
-  replace_labels(applied.state, labels_of(file, path.string()), {kImportStep, 0, 0.0});
-  put_review(applied.state, review_in(file.file, file.meanings));
+  LabelMap labels = labels_of(file, path.string());
+  Review review = review_in(file.file, file.meanings);
+  if (!file.meanings.empty()) part_lesions(labels, review, applied.notes);
+  replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});
+  put_review(applied.state, review);
   report_labels(applied.state, applied.figures);
   require_parenchyma(applied.figures, path);
   auto notes = orientation_notes(atlas.get(), *applied.state[part::labels], context.part(0.5, 1.0));
