@@ -57,6 +57,29 @@ class SoundCloudTest : public QObject {
     QVERIFY(is_plate(sound_cloud(cloud, true, faults)));
     QCOMPARE(faults.notes(), (std::vector<std::string>{"cloud.without_depth 4"}));
   }
+  void NormalsFaceTheCamera() {
+    LabelledCloud cloud = plate();
+    for (const int i : {3, 20, 21, 35}) cloud.normals.row(i) *= -1.0;
+    CloudFaults faults;
+    QVERIFY(is_plate(sound_cloud(cloud, true, faults)));
+    QCOMPARE(faults.notes(), (std::vector<std::string>{"cloud.normals_turned 4"}));
+    // Noise turns a few of those that are seen edge on: nothing to tell.
+    cloud = plate();
+    for (const int i : {3, 20, 21}) cloud.normals.row(i) *= -1.0;
+    CloudFaults few;
+    QVERIFY(is_plate(sound_cloud(cloud, true, few)));
+    QVERIFY(few.notes().empty());
+    // Where no camera is known there is no side to face.
+    CloudFaults unknown;
+    QVERIFY(sound_cloud(cloud, false, unknown).normals == cloud.normals);
+    // Another look's camera stands behind the plate.
+    cloud.eyes.resize(2, 3);
+    cloud.eyes << 0.0, 0.0, 0.0, 0.0, 0.0, 0.3;
+    cloud.looks.assign(36, 0);
+    cloud.looks[3] = cloud.looks[20] = cloud.looks[21] = 1;
+    CloudFaults two;
+    QVERIFY(sound_cloud(cloud, true, two).normals == cloud.normals);
+  }
   void InTheModelsFrameDepthIsNotKnown() {
     const LabelledCloud cloud = with(plate(), {{0, 0, 0}}, Feature::surface);
     CloudFaults faults;
@@ -89,6 +112,7 @@ class SoundCloudTest : public QObject {
   void AnotherConventionIsToldAndStays() {
     LabelledCloud cloud = plate();
     cloud.points.rightCols<2>() *= -1.0;  // as OpenGL's and VTK's cameras see it
+    cloud.normals.rightCols<2>() *= -1.0;
     CloudFaults faults;
     QVERIFY(sound_cloud(cloud, true, faults).points == cloud.points);
     QCOMPARE(faults.notes(), (std::vector<std::string>{"cloud.behind 36"}));

@@ -21,12 +21,24 @@ std::vector<int> without_repeated(const LabelledCloud& cloud, std::vector<int> o
   return order;
 }
 
+/// Programs that make clouds without a camera turn normals outwards, inwards or not at all.
+void turn_normals(LabelledCloud& cloud, CloudFaults& faults) {
+  for (Eigen::Index i = 0; i < cloud.normals.rows(); ++i) {
+    const Eigen::Vector3d from_eye = cloud.points.row(i).transpose() - cloud.eye(static_cast<int>(i));
+    if (!(cloud.normals.row(i).dot(from_eye.transpose()) > 0.0)) continue;
+    cloud.normals.row(i) *= -1.0;
+    ++faults.turned;
+  }
+  faults.with_normals += static_cast<int>(cloud.normals.rows());
+}
+
 }  // namespace
 
 std::vector<std::string> CloudFaults::notes() const {
   std::vector<std::string> codes;
   if (repeated > 0) codes.push_back("cloud.repeated " + std::to_string(repeated));
   if (without_depth > 0) codes.push_back("cloud.without_depth " + std::to_string(without_depth));
+  if (10 * turned > with_normals) codes.push_back("cloud.normals_turned " + std::to_string(turned));
   if (behind > 0) codes.push_back("cloud.behind " + std::to_string(behind));
   return codes;
 }
@@ -45,7 +57,9 @@ LabelledCloud sound_cloud(const LabelledCloud& cloud, bool from_camera, CloudFau
   if (from_camera)
     faults.behind += static_cast<int>(
         std::count_if(rows.begin(), rows.end(), [&](int i) { return cloud.points(i, 2) < 0.0; }));
-  return rows.size() < all ? rows_of(cloud, rows) : cloud;
+  LabelledCloud sound = rows.size() < all ? rows_of(cloud, rows) : cloud;
+  if (from_camera) turn_normals(sound, faults);
+  return sound;
 }
 
 }  // namespace glisson
