@@ -76,6 +76,8 @@ class RegisterModelTest : public QObject {
   void AutomaticStartIsTheRigidOne();
   void NothingIsJudgedByAPlaceThatNobodyHasGiven();
   void WhatIsNoPointOfTheCloudChangesNothing();
+  void MarksOfALandmarkThatTheModelLacksAreSurface();
+  void HeldNodesAreNoKnownPlaceWhereThePoseIsSought();
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
   void WhatIsLeftEmptyTheModelDecides();
@@ -268,6 +270,49 @@ void RegisterModelTest::WhatIsNoPointOfTheCloudChangesNothing() {
   QVERIFY(found.registered.registration.nodes_in_camera == expected.registered.registration.nodes_in_camera);
   QCOMPARE(found.cloud_faults.repeated, static_cast<int>(19 * n));
   QCOMPARE(found.cloud_faults.without_depth, static_cast<int>(n));
+}
+
+/// In every stage, the rigid start and the springs among them.
+void RegisterModelTest::MarksOfALandmarkThatTheModelLacksAreSurface() {
+  PatientModel bare = model_;
+  bare.landmarks.anterior_margin.resize(0, 3);
+  bare.landmarks.umbilical_notch.resize(0, 3);
+  LabelledCloud marked = cloud_, plain = cloud_;
+  plain.features.clear();
+  marked.features.assign(static_cast<std::size_t>(marked.size()), Feature::surface);
+  for (int i = 0; i < marked.size(); ++i)
+    marked.features[static_cast<std::size_t>(i)] = i % 5 == 0   ? Feature::umbilical_notch
+                                                   : i % 5 == 1 ? Feature::anterior_margin
+                                                                : Feature::surface;
+  RegisterOptions options = brief();
+  options.start = RegisterOptions::Start::automatic;
+  options.operations = false;
+  options.rigid.starts = 40;
+  const auto nodes = [&](const LabelledCloud& cloud) {
+    return register_model(bare, cloud, options, RunContext())->registered.registration.nodes_in_camera;
+  };
+  QVERIFY(nodes(marked) == nodes(plain));
+  QVERIFY(register_model(model_, marked, options, RunContext())->registered.registration.nodes_in_camera !=
+          nodes(marked));
+}
+
+/// They are held where the start puts them, which is millimetres off.
+void RegisterModelTest::HeldNodesAreNoKnownPlaceWhereThePoseIsSought() {
+  RegisterOptions options = brief();
+  options.fixed_nodes = {0, 1, 2, 3, 4, 5};
+  options.rigid.starts = 40;
+  const auto expected_there = [&](RegisterOptions::Start start) {
+    options.start = start;
+    return register_model(model_, cloud_, options, RunContext())
+        ->registered.registration.expected.head(6)
+        .maxCoeff();
+  };
+  const double given = expected_there(RegisterOptions::Start::given),
+               sought = expected_there(RegisterOptions::Start::automatic);
+  qInfo("expected at held nodes: %.3f mm where the pose is given, %.3f mm where it is sought", 1e3 * given,
+        1e3 * sought);
+  QVERIFY(given < 1e-4);
+  QVERIFY(sought > 5e-4);
 }
 
 void RegisterModelTest::OptionsThatAreUsedAreChecked() {

@@ -78,12 +78,12 @@ std::vector<FoundForce> found_forces(const ContactForceFit& fit) {
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
                     const std::optional<ShapeFits>& shapes, const Registered& made,
                     const Registration& registration, const std::vector<RegistrationRival>& rivals,
-                    const RunContext& context) {
+                    bool pose_known, const RunContext& context) {
   const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
   const ShapeFit* shape = shapes && !made.forces ? &shapes->best() : nullptr;
   ErrorModelOptions known;
   known.fixed_nodes = elastic.fixed_nodes;
-  known.pose_known = !elastic.fixed_nodes.empty();
+  known.pose_known = pose_known;
   if (!elastic.materials.by_label.empty())
     known.stiffness = fem::stiffness_over_parenchyma(model.mesh, elastic.materials);
   const bool together = made.forces && elastic.prior;
@@ -181,6 +181,17 @@ void require_surface(const LabelledCloud& cloud) {
                      "Draw a region on its surface, too");
 }
 
+/// A landmark that the model lacks is a part of the surface like any other: its mark would draw whatever
+/// surface is nearest.
+void without_unknown_landmarks(const PatientModel& model, LabelledCloud& cloud) {
+  const bool no_margin = model.landmarks.anterior_margin.rows() == 0;
+  const bool no_notch = model.landmarks.umbilical_notch.rows() == 0;
+  for (Feature& feature : cloud.features)
+    if ((no_margin && feature == Feature::anterior_margin) ||
+        (no_notch && feature == Feature::umbilical_notch))
+      feature = Feature::surface;
+}
+
 /// Every step's own options with the threads of all.
 RegisterOptions shared_out(RegisterOptions options) {
   options.rigid.threads = options.operation.threads = options.forces.threads = options.threads;
@@ -216,6 +227,8 @@ class Run {
     cloud_ = sound_cloud(cloud, from_camera, examined_.cloud_faults);
     for (LabelledCloud& look : options_.looks) look = sound_cloud(look, from_camera, examined_.cloud_faults);
     require_surface(cloud_);
+    without_unknown_landmarks(model_, cloud_);
+    for (LabelledCloud& look : options_.looks) without_unknown_landmarks(model_, look);
   }
 
   Cancellable<ExaminedRegistration> run() {
@@ -229,6 +242,8 @@ class Run {
   RunContext up_to(double share) { return context_.part(std::exchange(done_, share), share); }
   /// Whether the pose is to be found: who gives it exactly vouches for it.
   bool is_sought() const { return options_.start == Start::automatic || options_.start == Start::near; }
+  /// Fixed nodes stand where the start puts them: only one that is given is no guess.
+  bool knows_pose() const { return !elastic_.fixed_nodes.empty() && !is_sought(); }
   Registered& result() { return examined_.registered; }
 
   bool find_start() {
@@ -329,7 +344,7 @@ class Run {
   bool examine_it() {
     std::vector<RegistrationRival> rivals = rivals_of(shapes_, result(), registration_, elastic_);
     examined_.error = std::make_shared<const ErrorModel>(
-        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals, context_));
+        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals, knows_pose(), context_));
     if (context_.cancelled()) return false;
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
     auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error,
@@ -363,10 +378,12 @@ class Run {
     for (const LesionError& lesion : examined_.lesions)
       registration_.lesions.push_back({lesion.lesion, lesion.covariance});
     const std::optional<ContactForceFit>& forces = result().forces;
-    // Where supports are known and forces were found, their own posterior is the nearer one.
-    registration_.expected = forces && !elastic_.prior ? forces->expected_error : examined_.error->expected();
+    // Where supports are known and forces were found, their own posterior is the nearer one. It takes the
+    // pose for known.
+    const bool has_own = forces && !elastic_.prior && knows_pose();
+    registration_.expected = has_own ? forces->expected_error : examined_.error->expected();
     registration_.covariances = examined_.error->node_covariances();
-    if (forces && !elastic_.prior) {
+    if (has_own) {
       if (forces->expected_error.size() == registration_.covariances.rows())
         sized_as(forces->expected_error, registration_.covariances);
       else
