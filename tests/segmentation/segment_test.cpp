@@ -336,6 +336,16 @@ void SegmentTest::ARegionLeavesTheRestAlone() {
       }
   const double overlap = dice(truth, found);
   QVERIFY2(overlap > 0.95, qPrintable(QString::number(overlap)));
+  // It ends on the region's border, with a flat face.
+  double cut = 0.0;  // mm^2
+  for (int k = 3; k <= 52; ++k)
+    for (int j = 4; j <= 60; ++j)
+      if (p.liver[static_cast<std::size_t>(grid.offset({37, j, k}))] != 0)
+        cut += grid.spacing_mm.y() * grid.spacing_mm.z();
+  double told_mm2 = 0.0;
+  for (const std::string& note : half.report.notes)
+    if (note.starts_with("liver.cut_by_region ")) told_mm2 = 1e2 * std::stod(note.substr(20));
+  QVERIFY2(std::abs(told_mm2 / cut - 1.0) < 0.1, qPrintable(QString("%1 of %2").arg(told_mm2).arg(cut)));
   // The other half of the image was not written: its bricks are the kept ones.
   for (const LabelChange& change : half.labels.voxels.changes_since(kept.voxels))
     QVERIFY(kept.voxels.brick_place(change.number).x() < 2);
