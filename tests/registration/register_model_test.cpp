@@ -78,6 +78,7 @@ class RegisterModelTest : public QObject {
   void WhatIsNoPointOfTheCloudChangesNothing();
   void MarksOfALandmarkThatTheModelLacksAreSurface();
   void HeldNodesAreNoKnownPlaceWhereThePoseIsSought();
+  void ALesionIsAsUncertainAsTheTissueAroundIt();
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
   void WhatIsLeftEmptyTheModelDecides();
@@ -313,6 +314,24 @@ void RegisterModelTest::HeldNodesAreNoKnownPlaceWhereThePoseIsSought() {
         1e3 * sought);
   QVERIFY(given < 1e-4);
   QVERIFY(sought > 5e-4);
+}
+
+/// Of a bare mesh with held nodes the forces' own posterior, which knows that laws differ, gives both.
+void RegisterModelTest::ALesionIsAsUncertainAsTheTissueAroundIt() {
+  PatientModel bare = model_;
+  bare.vessels.clear();
+  bare.landmarks = {};
+  bare.mesh.labels[200] = structure::kFirstLesion;
+  RegisterOptions options = brief();
+  options.landmarks_are_placed = false;
+  options.fixed_nodes = {bare.surface.node_of_vertex.front(), bare.surface.node_of_vertex.back()};
+  const auto made = register_model(bare, Pulled(model_).cloud, options, RunContext()).value();
+  const Registration& registration = made.registered.registration;
+  QVERIFY(made.registered.forces && registration.lesions.size() == 1);
+  double around = 0.0;
+  for (int k = 0; k < 4; ++k) around += 0.25 * registration.expected[bare.mesh.tetrahedra(200, k)];
+  const double own = std::sqrt(registration.lesions.front().covariance.trace());
+  QVERIFY2(std::abs(own / around - 1.0) < 0.01, qPrintable(QString("%1 of %2").arg(own).arg(around)));
 }
 
 void RegisterModelTest::OptionsThatAreUsedAreChecked() {

@@ -124,6 +124,21 @@ void sized_as(const Eigen::VectorXd& rms, SymmetricRows& covariances) {
       covariances.row(i) *= rms[i] * rms[i] / trace;
 }
 
+/// The same for lesions, at whose middles the nodes' lengths are interpolated.
+void size_lesions(const PatientModel& model, const Eigen::VectorXd& rms, std::vector<LesionError>& lesions) {
+  Points middles(static_cast<Eigen::Index>(lesions.size()), 3);
+  const auto centres = lesion_centres(model);
+  for (std::size_t i = 0; i < lesions.size(); ++i)
+    middles.row(static_cast<Eigen::Index>(i)) = centres[i].second.transpose();
+  const Points sizes = bind_points(model.mesh, middles).apply(model.mesh, rms.replicate<1, 3>());
+  for (std::size_t i = 0; i < lesions.size(); ++i) {
+    LesionError& lesion = lesions[i];
+    const double size = sizes(static_cast<Eigen::Index>(i), 0), trace = lesion.covariance.trace();
+    if (trace > 0.0) lesion.covariance *= size * size / trace;
+    lesion.expected = mean_error(lesion.covariance);
+  }
+}
+
 /// Each doubt once: the rigid start and the elastic stages may share one.
 void tell_once(std::vector<std::string>& doubts) {
   std::vector<std::string> told;
@@ -375,20 +390,21 @@ class Run {
 
   /// What travels with the registration of where it may be wrong.
   void tell_of_places(std::vector<RegistrationRival> rivals) {
-    for (const LesionError& lesion : examined_.lesions)
-      registration_.lesions.push_back({lesion.lesion, lesion.covariance});
     const std::optional<ContactForceFit>& forces = result().forces;
     // Where supports are known and forces were found, their own posterior is the nearer one. It takes the
     // pose for known.
     const bool has_own = forces && !elastic_.prior && knows_pose();
     registration_.expected = has_own ? forces->expected_error : examined_.error->expected();
     registration_.covariances = examined_.error->node_covariances();
-    if (has_own) {
-      if (forces->expected_error.size() == registration_.covariances.rows())
-        sized_as(forces->expected_error, registration_.covariances);
-      else
-        registration_.covariances.resize(0, 6);  // not known, as the expected errors
+    if (has_own && forces->expected_error.size() == registration_.covariances.rows()) {
+      sized_as(forces->expected_error, registration_.covariances);
+      size_lesions(model_, forces->expected_error, examined_.lesions);
+    } else if (has_own) {
+      registration_.covariances.resize(0, 6);  // not known, as the expected errors
+      examined_.lesions.clear();
     }
+    for (const LesionError& lesion : examined_.lesions)
+      registration_.lesions.push_back({lesion.lesion, lesion.covariance});
     registration_.forks = forks_of(model_, registration_, *examined_.error);
     registration_.rivals = plausible_rivals(std::move(rivals));
     if (forces) registration_.forces = found_forces(*forces);
