@@ -105,6 +105,7 @@ class DicomTest : public QObject {
   void OtherFilesInTheFolderArePassedOver();
   void TwoSeriesAreRefused();
   void AMissingSliceIsRefused();
+  void PlacesRoundedToATenthOfAMillimetreAreTaken();
   void GantryTiltIsRefused();
   void ASliceBesideItsPlaceIsRefused();
   void TwoSlicesAtOnePlaceAreRefused();
@@ -171,6 +172,22 @@ void DicomTest::AMissingSliceIsRefused() {
   const TemporaryFolder folder;
   write_series(folder.path(), test::stored_world(0), {}, 2);
   QVERIFY2(refusal_of(folder.path()).contains("a slice is missing"), qPrintable(refusal_of(folder.path())));
+}
+
+void DicomTest::PlacesRoundedToATenthOfAMillimetreAreTaken() {
+  const Image image = test::stored_world(0);
+  const int count = image.grid.size.z();
+  for (const double gap : {0.625, 0.75, 1.25, 2.5}) {
+    const TemporaryFolder folder;
+    for (int k = 0; k < 40; ++k) {
+      SliceOptions rounded;
+      rounded.shift_mm.z() = 0.1 * std::round(10.0 * gap * k) - 2.5 * (k % count);
+      write_slice(folder.path() / std::to_string(100 + k), image, k % count, rounded);
+    }
+    QVERIFY2(refusal_of(folder.path()).isEmpty(), qPrintable(refusal_of(folder.path())));
+    fs::remove(folder.path() / "117");
+    QVERIFY2(refusal_of(folder.path()).contains("a slice is missing"), qPrintable(refusal_of(folder.path())));
+  }
 }
 
 void DicomTest::GantryTiltIsRefused() {

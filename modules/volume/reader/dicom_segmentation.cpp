@@ -16,6 +16,7 @@
 #include "glisson/core/files.h"
 #include "most_values.h"
 #include "segment_codes.h"
+#include "slice_gaps.h"
 
 namespace glisson::reader {
 namespace {
@@ -333,7 +334,7 @@ class Object {
   }
 
   static bool fits(const std::vector<double>& along, double from, double gap) {
-    const double allowed = std::max(0.05 * gap, 0.06);  // as slices of a CT
+    const double allowed = gap_tolerance_mm(gap);  // as slices of a CT
     return std::ranges::all_of(along, [&](double at) {
       const double steps = (at - from) / gap;
       return steps < 1e5 && std::abs(steps - std::round(steps)) * gap <= allowed;

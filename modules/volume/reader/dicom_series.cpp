@@ -12,6 +12,7 @@
 #include "dicom_pixels.h"
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
+#include "slice_gaps.h"
 
 namespace glisson::reader {
 namespace {
@@ -212,8 +213,7 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
     if (gaps[i] < 1e-2)
       refuse(request, "slices", "lie at the same place: " + before + ", " + behind,
              "Keep one phase or one copy only");
-    // Positions are often rounded to a tenth of a millimetre.
-    if (std::abs(gaps[i] - usual) > std::max(0.05 * usual, 0.06)) {
+    if (std::abs(gaps[i] - usual) > gap_tolerance_mm(usual)) {
       std::ostringstream problem;
       problem << "are " << gaps[i] << " mm apart between " << before << " and " << behind << " and " << usual
               << " mm elsewhere: a slice is missing or the spacing changes";
