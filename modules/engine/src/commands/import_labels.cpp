@@ -158,12 +158,6 @@ Read read(const ImportLabels& command, const CaseState& state) {
   return read;
 }
 
-LabelMap labels_of(const Read& read, const std::string& path) {
-  if (!read.meanings.empty()) return recode(read.file, read.meanings, path);
-  require_not_mirrored(read.file.voxels, path);  // recode() does it, too
-  return {read.file.voxels, read.file.infos};
-}
-
 /// In files of others all tumours are often one label; Glisson's own say which is which. Each piece takes
 /// over how far a person had come with the label.
 void part_lesions(LabelMap& labels, Review& review, std::vector<std::string>& notes) {
@@ -175,6 +169,19 @@ void part_lesions(LabelMap& labels, Review& review, std::vector<std::string>& no
     if (state == review.end()) continue;
     for (const Label piece : split.others) review[piece] = state->second;
   }
+}
+
+/// What a file becomes, and what it says of its labels.
+LabelMap labels_of(const Read& read, const std::string& path, Review& review,
+                   std::vector<std::string>& notes) {
+  review = review_in(read.file, read.meanings);
+  if (read.meanings.empty()) {
+    require_not_mirrored(read.file.voxels, path);  // recode() does it, too
+    return {read.file.voxels, read.file.infos};
+  }
+  LabelMap labels = recode(read.file, read.meanings, path);
+  part_lesions(labels, review, notes);
+  return labels;
 }
 
 void require_parenchyma(const Figures& figures, const std::filesystem::path& path) {
@@ -197,10 +204,8 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   Read file = read(*this, state);
   if (context.cancelled()) return {};
   Applied applied{state, {}, std::move(file.notes)};
-  LabelMap labels = labels_of(file, path.string());
-  Review review = review_in(file.file, file.meanings);
-  if (!file.meanings.empty()) part_lesions(labels, review, applied.notes);
-  replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});
+  Review review;
+  replace_labels(applied.state, labels_of(file, path.string(), review, applied.notes), {kImportStep, 0, 0.0});
   put_review(applied.state, review);
   report_labels(applied.state, applied.figures);
   require_parenchyma(applied.figures, path);
