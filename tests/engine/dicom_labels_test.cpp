@@ -237,10 +237,14 @@ void DicomLabelsTest::AllTumoursUnderOneNumberAreOneLesionEach() {
   QCOMPARE(taken.at({11, 3, 3}), structure::kFirstLesion);
   QCOMPARE(taken.at({2, 3, 3}) + taken.at({18, 3, 3}), 2 * structure::kFirstLesion + 3);
   QCOMPARE(taken.at({5, 3, 3}), structure::kParenchyma);
-  // Glisson's own say which is which: two places that a person made one stay one.
-  write_labels(at("own.seg.nrrd"), theirs,
-               {structure_info(structure::kParenchyma), structure_info(structure::kPortalVein)});
+  // Glisson's own say which is which: places that a person made one lesion stay one.
+  LabelVolume own(grid);
+  for (int i = 0; i < 20; ++i) own.set({i, 3, 3}, structure::kParenchyma);
+  for (const int i : {2, 18}) own.set({i, 3, 3}, structure::kFirstLesion);
+  write_labels(at("own.seg.nrrd"), own,
+               {structure_info(structure::kParenchyma), structure_info(structure::kFirstLesion)});
   QVERIFY(script.run(ImportLabels{at("own.seg.nrrd"), {}})->notes.empty());
+  QVERIFY(script.state()[part::labels]->voxels == own);
 }
 
 void DicomLabelsTest::NamedSegmentsThatLieMirroredAreRefused() {
