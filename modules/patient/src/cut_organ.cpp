@@ -34,9 +34,8 @@ double cut_area_mm2(const VolumeGrid& grid, const std::vector<std::uint8_t>& org
 }
 
 std::optional<std::string> cut_note(const VolumeGrid& grid, const std::vector<std::uint8_t>& liver) {
-  constexpr double kTouches = 100.0;  // mm^2
   const double area = cut_area_mm2(grid, liver);
-  if (area < kTouches) return std::nullopt;
+  if (area < kLeastCutMm2) return std::nullopt;
   return kNote + std::to_string(std::lround(1e-2 * area));
 }
 

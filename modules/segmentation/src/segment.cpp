@@ -255,7 +255,6 @@ std::optional<std::string> cava_note(const LabelVolume& labels, const std::vecto
 /// @param liver as inside_liver() has it.
 std::optional<std::string> region_note(const VolumeGrid& grid, const std::vector<std::uint8_t>& liver,
                                        const std::optional<Eigen::AlignedBox3d>& region) {
-  constexpr double kTouches = 100.0;  // mm^2, as of the image's border
   if (!region) return {};
   double cut = 0.0;
   std::size_t at = 0;
@@ -272,7 +271,7 @@ std::optional<std::string> region_note(const VolumeGrid& grid, const std::vector
             cut += grid.voxel_volume_mm3() / grid.spacing_mm[axis];
         }
       }
-  if (cut < kTouches) return {};
+  if (cut < kLeastCutMm2) return {};
   return "liver.cut_by_region " + std::to_string(std::lround(1e-2 * cut));
 }
 
