@@ -868,8 +868,8 @@
         <translation>von der Leber bleibt nichts, nachdem die Codes angewandt wurden</translation>
     </message>
     <message>
-        <source>the liver lies to the left of the vena cava: the volume is mirrored</source>
-        <translation>die Leber liegt links der Vena cava: Das Volumen ist gespiegelt</translation>
+        <source>the liver lies to the left of the vena cava: the volume is mirrored, or the liver&apos;s right part was removed</source>
+        <translation>die Leber liegt links der Vena cava: Das Volumen ist gespiegelt, oder der rechte Teil der Leber wurde entfernt</translation>
     </message>
     <message>
         <source>none of them is the liver&apos;s parenchyma</source>
@@ -1500,8 +1500,8 @@
         <translation>Geben Sie die Codes dieser Datei an: welche Zahl parenchyma, portal_vein und so weiter ist</translation>
     </message>
     <message>
-        <source>Correct the direction in the file&apos;s header (left and right are swapped)</source>
-        <translation>Berichtigen Sie die Richtung im Kopf der Datei (links und rechts sind vertauscht)</translation>
+        <source>Correct the direction in the file&apos;s header if left and right are swapped; after a right hepatectomy import it with &apos;glisson model --left-liver&apos;</source>
+        <translation>Berichtigen Sie die Richtung im Kopf der Datei, wenn links und rechts vertauscht sind; nach einer rechten Hemihepatektomie importieren Sie mit &apos;glisson model --left-liver&apos;</translation>
     </message>
     <message>
         <source>Say which code means what with --codes FILE (see &apos;glisson model --help&apos;)</source>
@@ -4748,8 +4748,12 @@
         <translation>ist RAS: x und y laufen umgekehrt wie in LPS</translation>
     </message>
     <message>
-        <source>the liver lies to the left of the vena cava: mirrored, or RAS</source>
-        <translation>die Leber liegt links der Vena cava: gespiegelt, oder RAS</translation>
+        <source>the liver lies to the left of the vena cava: mirrored, in RAS, or the liver&apos;s right part was removed</source>
+        <translation>die Leber liegt links der Vena cava: gespiegelt, in RAS, oder der rechte Teil der Leber wurde entfernt</translation>
+    </message>
+    <message>
+        <source>Export all surfaces of one patient in one frame (LPS); after a right hepatectomy import them with &apos;glisson model --left-liver&apos;</source>
+        <translation>Exportieren Sie alle Oberflächen eines Patienten in einem Koordinatensystem (LPS); nach einer rechten Hemihepatektomie importieren Sie mit &apos;glisson model --left-liver&apos;</translation>
     </message>
     <message>
         <source>lies elsewhere than the liver in %1</source>
@@ -8131,6 +8135,10 @@
     <message>
         <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
         <translation>Was ihre Codes bedeuten: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
+    </message>
+    <message>
+        <source>Takes labels or surfaces of a liver that lies left of the vena cava, as after a right hepatectomy: they are refused as mirrored otherwise.</source>
+        <translation>Nimmt Labels oder Oberflächen einer Leber an, die links der Vena cava liegt, wie nach einer rechten Hemihepatektomie: Sonst werden sie als gespiegelt abgelehnt.</translation>
     </message>
     <message>
         <source>Unit of the surfaces: mm, cm or m.</source>

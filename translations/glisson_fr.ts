@@ -868,8 +868,8 @@
         <translation>il ne reste rien du foie après l’application des codes</translation>
     </message>
     <message>
-        <source>the liver lies to the left of the vena cava: the volume is mirrored</source>
-        <translation>le foie est à gauche de la veine cave : le volume est inversé</translation>
+        <source>the liver lies to the left of the vena cava: the volume is mirrored, or the liver&apos;s right part was removed</source>
+        <translation>le foie est à gauche de la veine cave : le volume est inversé, ou la partie droite du foie a été retirée</translation>
     </message>
     <message>
         <source>none of them is the liver&apos;s parenchyma</source>
@@ -1500,8 +1500,8 @@
         <translation>Donnez les codes de ce fichier : quel nombre est parenchyma, portal_vein, etc.</translation>
     </message>
     <message>
-        <source>Correct the direction in the file&apos;s header (left and right are swapped)</source>
-        <translation>Corrigez la direction dans l’en-tête (gauche et droite sont échangées)</translation>
+        <source>Correct the direction in the file&apos;s header if left and right are swapped; after a right hepatectomy import it with &apos;glisson model --left-liver&apos;</source>
+        <translation>Corrigez la direction dans l’en-tête si gauche et droite sont échangées ; après une hépatectomie droite, importez avec &apos;glisson model --left-liver&apos;</translation>
     </message>
     <message>
         <source>Say which code means what with --codes FILE (see &apos;glisson model --help&apos;)</source>
@@ -4748,8 +4748,12 @@
         <translation>est RAS : x et y vont dans l’autre sens qu’en LPS</translation>
     </message>
     <message>
-        <source>the liver lies to the left of the vena cava: mirrored, or RAS</source>
-        <translation>le foie est à gauche de la veine cave : inversé, ou RAS</translation>
+        <source>the liver lies to the left of the vena cava: mirrored, in RAS, or the liver&apos;s right part was removed</source>
+        <translation>le foie est à gauche de la veine cave : inversé, en RAS, ou la partie droite du foie a été retirée</translation>
+    </message>
+    <message>
+        <source>Export all surfaces of one patient in one frame (LPS); after a right hepatectomy import them with &apos;glisson model --left-liver&apos;</source>
+        <translation>Exportez toutes les surfaces d’un patient dans un même repère (LPS) ; après une hépatectomie droite, importez avec &apos;glisson model --left-liver&apos;</translation>
     </message>
     <message>
         <source>lies elsewhere than the liver in %1</source>
@@ -8131,6 +8135,10 @@
     <message>
         <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
         <translation>Ce que signifient leurs codes&#xa0;: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
+    </message>
+    <message>
+        <source>Takes labels or surfaces of a liver that lies left of the vena cava, as after a right hepatectomy: they are refused as mirrored otherwise.</source>
+        <translation>Accepte les étiquettes ou surfaces d’un foie situé à gauche de la veine cave, comme après une hépatectomie droite : sinon ils sont refusés comme inversés.</translation>
     </message>
     <message>
         <source>Unit of the surfaces: mm, cm or m.</source>

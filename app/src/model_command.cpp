@@ -47,6 +47,9 @@ void declare_model_command(Arguments& arguments) {
                    Cli::tr("Closed surfaces to take instead of labels: a folder by structure, a list "
                            "(JSON) of structures and files, or one file."),
                    "PATH");
+  arguments.flag("left-liver",
+                 Cli::tr("Takes labels or surfaces of a liver that lies left of the vena cava, as after a "
+                         "right hepatectomy: they are refused as mirrored otherwise."));
   arguments.option("unit", Cli::tr("Unit of the surfaces: mm, cm or m."), "UNIT", "mm");
   arguments.option("vertices", Cli::tr("Vertices wanted."), "N", options.mesh.target_vertices);
   arguments.option("edge", Cli::tr("Mean edge length wanted, mm, instead of a number of vertices."), "MM");
@@ -77,8 +80,12 @@ void declare_model_command(Arguments& arguments) {
 
 /// What would be left unread without a word.
 void refuse_idle_options(const Arguments& arguments) {
-  if (arguments.has("codes") && !arguments.has("labels"))
-    throw UsageError(Cli::tr("--%1: needs labels. Give --%2 FILE.").arg("codes", "labels").toStdString());
+  const auto needs_labels = [](const char* option) {
+    return UsageError(Cli::tr("--%1: needs labels. Give --%2 FILE.").arg(option, "labels").toStdString());
+  };
+  if (arguments.has("codes") && !arguments.has("labels")) throw needs_labels("codes");
+  if (arguments.has("left-liver") && !arguments.has("labels") && !arguments.has("surfaces"))
+    throw needs_labels("left-liver");
   if (arguments.has("labels") && arguments.has("surfaces"))
     throw UsageError(Cli::tr("--%1, --%2: give one of them.").arg("labels", "surfaces").toStdString());
   if (arguments.has("edge")) arguments.refuse_idle(QStringLiteral("--edge"), {"vertices"});
@@ -97,11 +104,14 @@ model::ModelOptions options_of(const Arguments& arguments) {
 /// From surfaces, from a label map, or from the case's labels.
 void build_model(const Arguments& arguments, Session& session, const model::ModelOptions& options,
                  const LabelCodes& codes) {
+  const LeftLiver left = arguments.has("left-liver") ? LeftLiver::taken : LeftLiver::refused;
   if (arguments.has("surfaces")) {
     session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options,
-                                        ui::built_in_atlas()});
+                                        ui::built_in_atlas(), left});
   } else {
-    if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
+    // The atlas is asked when the model is built.
+    if (arguments.has("labels"))
+      session.post(engine::ImportLabels{arguments.path("labels"), codes, nullptr, left});
     session.post(engine::BuildModel{options, ui::built_in_atlas()});
   }
 }

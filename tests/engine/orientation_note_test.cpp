@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "atlas_cases.h"
+#include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/import_labels.h"
@@ -83,6 +84,38 @@ class OrientationNoteTest : public QObject {
     QCOMPARE(told(built->notes), wanted.toStdString());
     // It stays with the model.
     QCOMPARE(told(built->state[part::model]->report.notes), wanted.toStdString());
+  }
+  /// What a right hepatectomy leaves lies like a mirrored liver: both are said, and only a person lets it in.
+  void aRemnantOnTheLeftIsTakenWhereAPersonSaysSo() {
+    VolumeGrid grid;
+    grid.size = {20, 10, 10};
+    grid.spacing_mm = {5.0, 5.0, 5.0};
+    LabelVolume labels(grid);  // x grows to the patient's left
+    for (int k = 0; k < 10; ++k) {
+      labels.set({4, 5, k}, structure::kVenaCava);
+      for (int i = 6; i < 16; ++i) labels.set({i, 5, k}, structure::kParenchyma);
+    }
+    TemporaryFolder folder;
+    write_labels(folder.path() / "left.seg.nrrd", labels,
+                 {structure_info(structure::kParenchyma), structure_info(structure::kVenaCava)});
+    ImportLabels import{folder.path() / "left.seg.nrrd", {}};
+    for (const LabelCodes& codes : {LabelCodes(), LabelCodes{{1, structure::kParenchyma}, {4, 4}}}) {
+      import.codes = codes;
+      import.left_liver = LeftLiver::refused;
+      std::string told;
+      try {
+        (void)import.apply(CaseState(), RunContext());
+      } catch (const InputError& error) {
+        told = error.what();
+      }
+      QVERIFY2(told.find("mirrored, or the liver's right part was removed") != std::string::npos,
+               told.c_str());
+      QVERIFY2(told.find("--left-liver") != std::string::npos, told.c_str());
+      import.left_liver = LeftLiver::taken;
+      const auto taken = import.apply(CaseState(), RunContext());
+      QVERIFY(taken->state[part::labels]->voxels == labels);
+      QCOMPARE(std::ranges::count(taken->notes, "liver.perhaps_mirrored"), 1L);
+    }
   }
   void surfacesAreTold() {
     TriangleMesh liver = insilico::population_liver(4711, 4.0).surface;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
 #include <fstream>
 #include <numbers>
 #include <set>
@@ -305,6 +306,8 @@ void SurfacesTest::MirroredSurfacesAreRefused() {
     save(folder.path() / "vena_cava.vtk", test::moved(cava, {x, 0, 0}));
     const std::string told = complaint(folder.path(), LengthUnit::millimetre);
     QCOMPARE(told.find("to the left of the vena cava") != std::string::npos, x < 0.0);
+    const auto taken = model::read_surfaces(folder.path(), LengthUnit::millimetre, LeftLiver::taken);
+    QCOMPARE(std::ranges::count(taken.notes, "liver.perhaps_mirrored"), x < 0.0 ? 1L : 0L);
   }
 }
 

@@ -125,6 +125,7 @@ void LabelMapTest::RecodeRefusesAMirroredPatient() {
   QVERIFY(looks_mirrored(turned));
   QVERIFY_THROWS_EXCEPTION(InputError, require_not_mirrored(turned, "turned.nii"));
   QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(turned), as_they_are, "x"));
+  QVERIFY(recode(file_of(turned), as_they_are, "x", LeftLiver::taken).voxels == turned);
 }
 
 void LabelMapTest::CodesAreReadByName() {

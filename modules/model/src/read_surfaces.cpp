@@ -215,14 +215,12 @@ void require_plausible(const Source& source, const TriangleMesh& mesh, const Tri
 }
 
 /// As of labels: the vena cava runs near the midline, the bulk of the liver to the patient's right of it.
-void require_not_mirrored(const SurfaceSet& set, const fs::path& origin) {
-  for (const NamedSurface& other : set.others) {
-    if (other.structure != structure::kVenaCava) continue;
+bool looks_mirrored(const SurfaceSet& set) {
+  return std::ranges::any_of(set.others, [&set](const NamedSurface& other) {
+    if (other.structure != structure::kVenaCava) return false;
     const auto x = other.mesh.vertices.col(0);  // the vessel may be open, so that it has no centroid
-    if (0.5 * (x.minCoeff() + x.maxCoeff()) < centroid(set.liver).x() - kMidline)
-      refuse(origin, "orientation", "the liver lies to the left of the vena cava: mirrored, or RAS",
-             "Export all surfaces of one patient in one frame (LPS)");
-  }
+    return 0.5 * (x.minCoeff() + x.maxCoeff()) < centroid(set.liver).x() - kMidline;
+  });
 }
 
 /// A vessel or an organ beside the liver; further pieces of one name are added to the first.
@@ -303,7 +301,6 @@ SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std
       add_other(source, std::move(mesh), first, origin, set);
     }
   }
-  require_not_mirrored(set, origin);
   return set;
 }
 
@@ -342,9 +339,7 @@ std::vector<Source> sources_in_list(const fs::path& path, LengthUnit unit) {
   return sources;
 }
 
-}  // namespace
-
-SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit) {
+SurfaceSet read_any(const fs::path& path, LengthUnit unit) {
   if (!fs::exists(path)) throw FileError(path.string() + ": does not exist. Check the path.");
   if (fs::is_directory(path)) {
     std::vector<std::string> notes;
@@ -355,6 +350,21 @@ SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit) {
   }
   if (lower_extension(path) == ".json") return read_sources(sources_in_list(path, unit), path, {});
   return read_sources({{"liver", path, {Role::liver, structure::kParenchyma}, unit}}, path, {});
+}
+
+}  // namespace
+
+SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit, LeftLiver left_liver) {
+  SurfaceSet set = read_any(path, unit);
+  if (!looks_mirrored(set)) return set;
+  if (left_liver == LeftLiver::refused)
+    refuse(path, "orientation",
+           "the liver lies to the left of the vena cava: mirrored, in RAS, or the liver's right part was "
+           "removed",
+           "Export all surfaces of one patient in one frame (LPS); after a right hepatectomy import them "
+           "with 'glisson model --left-liver'");
+  set.notes.emplace_back("liver.perhaps_mirrored");
+  return set;
 }
 
 }  // namespace glisson::model

@@ -101,11 +101,14 @@ bool looks_mirrored(const LabelVolume& labels) {
 void require_not_mirrored(const LabelVolume& labels, const std::string& name) {
   if (looks_mirrored(labels))
     throw InputError(name, "orientation",
-                     "the liver lies to the left of the vena cava: the volume is mirrored",
-                     "Correct the direction in the file's header (left and right are swapped)");
+                     "the liver lies to the left of the vena cava: the volume is mirrored, or the liver's "
+                     "right part was removed",
+                     "Correct the direction in the file's header if left and right are swapped; after a "
+                     "right hepatectomy import it with 'glisson model --left-liver'");
 }
 
-LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name) {
+LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name,
+                LeftLiver left_liver) {
   std::vector<Label> table(65536, structure::kBackground);
   for (const auto& [code, label] : codes) table[code] = label;
   std::vector<Label> dense = file.voxels.dense();
@@ -126,7 +129,7 @@ LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::strin
   if (!any)
     throw InputError(name, "labels", "nothing of the liver is left after the codes were applied",
                      "Give the codes of this file: which number is parenchyma, portal_vein and so on");
-  require_not_mirrored(map.voxels, name);
+  if (left_liver == LeftLiver::refused) require_not_mirrored(map.voxels, name);
   return map;
 }
 

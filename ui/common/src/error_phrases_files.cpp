@@ -150,7 +150,12 @@ const std::vector<const char*>& file_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no structure that is known"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is none of mm, cm, m"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is RAS: x and y run the other way than in LPS"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "the liver lies to the left of the vena cava: mirrored, or RAS"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "the liver lies to the left of the vena cava: the volume is mirrored, or the "
+                        "liver's right part was removed"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "the liver lies to the left of the vena cava: mirrored, in RAS, or the liver's right "
+                        "part was removed"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies elsewhere than the liver in %1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "names no file"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
@@ -235,6 +240,12 @@ const std::vector<const char*>& file_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Close it (fill its holes) in the program that made it"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Close the surfaces (fill their holes) in the program that made them"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Correct the direction in the file's header if left and right are swapped; after a "
+                        "right hepatectomy import it with 'glisson model --left-liver'"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Export all surfaces of one patient in one frame (LPS); after a right hepatectomy "
+                        "import them with 'glisson model --left-liver'"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Export all surfaces of one patient in one frame (LPS)"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Give this file's own unit in the list of surfaces, or export it in the liver's"),

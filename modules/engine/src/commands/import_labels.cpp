@@ -172,15 +172,19 @@ void part_lesions(LabelMap& labels, Review& review, std::vector<std::string>& no
 }
 
 /// What a file becomes, and what it says of its labels.
-LabelMap labels_of(const Read& read, const std::string& path, Review& review,
+LabelMap labels_of(const ImportLabels& command, const Read& read, Review& review,
                    std::vector<std::string>& notes) {
+  const std::string path = command.path.string();
   review = review_in(read.file, read.meanings);
-  if (read.meanings.empty()) {
-    require_not_mirrored(read.file.voxels, path);  // recode() does it, too
-    return {read.file.voxels, read.file.infos};
+  LabelMap labels{read.file.voxels, read.file.infos};
+  if (!read.meanings.empty()) {
+    labels = recode(read.file, read.meanings, path, LeftLiver::taken);  // judged below
+    part_lesions(labels, review, notes);
   }
-  LabelMap labels = recode(read.file, read.meanings, path);
-  part_lesions(labels, review, notes);
+  if (command.left_liver == LeftLiver::refused)
+    require_not_mirrored(labels.voxels, path);
+  else if (looks_mirrored(labels.voxels))
+    notes.emplace_back("liver.perhaps_mirrored");
   return labels;
 }
 
@@ -205,7 +209,7 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   if (context.cancelled()) return {};
   Applied applied{state, {}, std::move(file.notes)};
   Review review;
-  replace_labels(applied.state, labels_of(file, path.string(), review, applied.notes), {kImportStep, 0, 0.0});
+  replace_labels(applied.state, labels_of(*this, file, review, applied.notes), {kImportStep, 0, 0.0});
   put_review(applied.state, review);
   report_labels(applied.state, applied.figures);
   require_parenchyma(applied.figures, path);

@@ -12,7 +12,7 @@ CommandTraits ImportSurfaces::traits() const {
 }
 
 Cancellable<Applied> ImportSurfaces::apply(const CaseState& state, const RunContext& context) const {
-  const model::SurfaceSet surfaces = model::read_surfaces(path, unit);
+  const model::SurfaceSet surfaces = model::read_surfaces(path, unit, left_liver);
   auto built = model::build_from_surfaces(surfaces, options, context.part(0.0, 0.95));
   if (!built || !note_orientation(atlas.get(), *built, context.part(0.95, 1.0))) return {};
   return with_model(state, std::move(*built));

@@ -102,8 +102,10 @@ struct SurfaceSet {
 /// component of a lesion file is a lesion of its own. Vessels may be open: their holes are closed for the
 /// trees, and it is noted. @param unit where a list says none.
 /// @throws FileError, InputError naming the file and the remedy: no liver or two, open surface, implausible
-/// size (another unit), a structure larger than the liver (swapped), or away from it (another frame).
-SurfaceSet read_surfaces(const std::filesystem::path& path, LengthUnit unit);
+/// size (another unit), a structure larger than the liver (swapped), or away from it (another frame), a liver
+/// left of the vena cava that is not to be taken so (otherwise it is noted).
+SurfaceSet read_surfaces(const std::filesystem::path& path, LengthUnit unit,
+                         LeftLiver left_liver = LeftLiver::refused);
 Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const ModelOptions& options,
                                             const RunContext& context);
 

@@ -76,12 +76,20 @@ std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm
 /// Whether the liver lies to the patient's left of the vena cava, as in a volume whose header swaps left and
 /// right. False when either is missing. Takes structure labels.
 bool looks_mirrored(const LabelVolume& labels);
+
+/// What becomes of a liver that looks mirrored. What a right hepatectomy leaves does lie so, and half a liver
+/// looks like the mirror image of another half: no shape tells the two apart, only a person does.
+enum class LeftLiver {
+  refused,
+  taken  ///< a person says that it does lie there
+};
 /// @param name of the file, for the message. @throws InputError it looks mirrored.
 void require_not_mirrored(const LabelVolume& labels, const std::string& name);
 
 /// A foreign label volume, recoded. Codes that the table does not name become background.
 /// @param name of the file, for messages.
-/// @throws InputError when nothing of the liver remains, or it looks mirrored.
-LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name);
+/// @throws InputError when nothing of the liver remains, or it looks mirrored and is not to be taken so.
+LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name,
+                LeftLiver left_liver = LeftLiver::refused);
 
 }  // namespace glisson

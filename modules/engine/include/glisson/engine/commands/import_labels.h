@@ -16,6 +16,8 @@ struct ImportLabels {
   LabelCodes codes;
   /// The liver's shape is held against it, so that a mirrored one is told; null: it is not asked.
   std::shared_ptr<const atlas::Atlas> atlas = nullptr;
+  /// Taken, a liver that lies left of the vena cava is a note, "liver.perhaps_mirrored".
+  LeftLiver left_liver = LeftLiver::refused;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
