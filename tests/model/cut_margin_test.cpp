@@ -40,16 +40,16 @@ LabelMap liver_from(double lowest_mm) {
   return map;
 }
 
-model::BuiltModel built(const LabelMap& labels) {
+model::BuiltModel built(const LabelMap& labels, const Image* image = nullptr) {
   model::ModelOptions options;
   options.vessels = false;
   options.mesh.target_vertices = 150;
-  return *model::build_from_labels(labels, options, RunContext());
+  return *model::build_from_labels(labels, options, RunContext(), image);
 }
 
 TriangleMesh faces_of(const LabelMap& labels) {
-  return model::cut_faces(labels.voxels.grid(),
-                          labels.voxels.mask([](Label label) { return label == structure::kParenchyma; }));
+  const auto liver = labels.voxels.mask([](Label label) { return label == structure::kParenchyma; });
+  return model::cut_faces(labels.voxels.grid(), image_cut(labels.voxels.grid(), liver));
 }
 
 std::string note_of(const model::BuiltModel& model, const std::string& code) {
@@ -75,6 +75,7 @@ class CutMarginTest : public QObject {
   void NoMarginLiesOnTheCut();
   void TheTrueMarginStaysElsewhere();
   void WhatWasLeftOutIsTold();
+  void PaddingIsAnEnd();
   void FacesLieWhereTheImageEnds_data();
   void FacesLieWhereTheImageEnds();
 
@@ -139,6 +140,29 @@ void CutMarginTest::WhatWasLeftOutIsTold() {
   QVERIFY2(length_mm > 10.0 && length_mm < 200.0, note.c_str());
 }
 
+/// The same cut where the image goes on with voxels that nobody has scanned.
+void CutMarginTest::PaddingIsAnEnd() {
+  LabelMap labels = liver_from(kLowest);
+  Image image;
+  image.grid = labels.voxels.grid();
+  std::vector<std::int16_t> voxels(static_cast<std::size_t>(image.grid.voxel_count()), 50);
+  for (int k = 0; k < static_cast<int>((kCut - kLowest) / image.grid.spacing_mm.z()); ++k)
+    for (int j = 0; j < image.grid.size.y(); ++j)
+      for (int i = 0; i < image.grid.size.x(); ++i) {
+        labels.voxels.set({i, j, k}, structure::kBackground);
+        voxels[static_cast<std::size_t>(image.grid.offset({i, j, k}))] = -1024;
+      }
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(voxels);
+  const model::BuiltModel padded = built(labels, &image);
+  QVERIFY(!note_of(padded, "liver.cut_off ").empty());
+  QCOMPARE(note_of(padded, "liver.cut_off "), note_of(cut_, "liver.cut_off "));
+  const Points& margin = padded.model.landmarks.anterior_margin;
+  QVERIFY(margin.rows() > 20);
+  const ClosestPointTree tree(faces_);
+  for (Eigen::Index i = 0; i < margin.rows(); ++i)
+    QVERIFY(1e3 * tree.closest(margin.row(i).transpose()).distance > 1e3 * kSharpnessRadius - 1.5);
+}
+
 void CutMarginTest::FacesLieWhereTheImageEnds_data() {
   QTest::addColumn<int>("axis");
   QTest::addColumn<bool>("high");
@@ -157,14 +181,14 @@ void CutMarginTest::FacesLieWhereTheImageEnds() {
   grid.direction.col(0) << 0, -1, 0;
   grid.direction.col(1) << 1, 0, 0;
   std::vector<std::uint8_t> organ(9UL * 8UL * 7UL, 0);
-  QCOMPARE(model::cut_faces(grid, organ).triangle_count(), 0);
+  QCOMPARE(model::cut_faces(grid, image_cut(grid, organ)).triangle_count(), 0);
   Eigen::Vector3i low(3, 3, 2), end(6, 5, 4);
   (high ? end : low)[axis] = high ? grid.size[axis] : 0;
   for (int k = low[2]; k < end[2]; ++k)
     for (int j = low[1]; j < end[1]; ++j)
       for (int i = low[0]; i < end[0]; ++i) organ[static_cast<std::size_t>(grid.offset({i, j, k}))] = 1;
-  const TriangleMesh faces = model::cut_faces(grid, organ);
-  QVERIFY(std::abs(1e6 * area(faces) - cut_area_mm2(grid, organ)) < 1e-9);
+  const TriangleMesh faces = model::cut_faces(grid, image_cut(grid, organ));
+  QVERIFY(std::abs(1e6 * area(faces) - area_mm2(grid, image_cut(grid, organ))) < 1e-9);
   for (int v = 0; v < faces.vertex_count(); ++v) {
     const Eigen::Vector3d index = grid.index_of(Point<CtFrame>(faces.vertex(v)));
     QVERIFY(std::abs(index[axis] - (high ? grid.size[axis] - 0.5 : -0.5)) < 1e-9);

@@ -31,9 +31,9 @@ struct Anatomy {
   const TriangleMesh* vena_cava() const;
 };
 
-/// @throws InputError no liver, several large pieces.
+/// @param image as build_from_labels() has it. @throws InputError no liver, several large pieces.
 Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& options,
-                                const RunContext& context);
+                                const RunContext& context, const Image* image = nullptr);
 Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& options,
                                 const RunContext& context);
 

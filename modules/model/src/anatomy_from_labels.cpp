@@ -108,7 +108,7 @@ std::string shown(double value) {
 }
 
 Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& options,
-                                const RunContext& context) {
+                                const RunContext& context, const Image* image) {
   const LabelVolume& voxels = labels.voxels;
   const VolumeGrid& grid = voxels.grid();
   context.progress(0.0, "model.labels");
@@ -116,9 +116,10 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
   Anatomy anatomy;
   std::vector<std::uint8_t> liver = inside_liver(labels);
   keep_largest(grid, liver, anatomy.notes);
-  if (auto note = cut_note(grid, liver)) {
+  const std::vector<CutRow> cut = image_cut(grid, liver, image);
+  if (auto note = cut_note(grid, cut)) {
     anatomy.notes.push_back(std::move(*note));
-    anatomy.cut = cut_faces(grid, liver);
+    anatomy.cut = cut_faces(grid, cut);
   }
   anatomy.liver_volume = static_cast<double>(count(liver)) * grid.voxel_volume_mm3() * 1e-9;
   anatomy.liver = field_of_mask(grid, liver, smoothing_of(grid));

@@ -156,14 +156,6 @@ Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, c
   return built;
 }
 
-template <class Source>
-Cancellable<BuiltModel> build(const Source& source, const ModelOptions& options, const RunContext& context) {
-  options.validate();
-  auto anatomy = anatomy_of(source, options, context.part(0.0, 0.2));
-  if (!anatomy) return {};
-  return assemble(std::move(*anatomy), options, context.part(0.2, 1.0));
-}
-
 /// Labels of a mesh are numbers without names: those of lesions are taken for Glisson's, all others are the
 /// parenchyma. Other programs number otherwise (2 is the tumour, as often as not), so that it is told. Where
 /// all are one, whichever, they part nothing: no lesion is the whole organ.
@@ -210,13 +202,19 @@ void ModelOptions::validate() const {
 }
 
 Cancellable<BuiltModel> build_from_labels(const LabelMap& labels, const ModelOptions& options,
-                                          const RunContext& context) {
-  return build(labels, options, context);
+                                          const RunContext& context, const Image* image) {
+  options.validate();
+  auto anatomy = anatomy_of(labels, options, context.part(0.0, 0.2), image);
+  if (!anatomy) return {};
+  return assemble(std::move(*anatomy), options, context.part(0.2, 1.0));
 }
 
 Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const ModelOptions& options,
                                             const RunContext& context) {
-  return build(surfaces, options, context);
+  options.validate();
+  auto anatomy = anatomy_of(surfaces, options, context.part(0.0, 0.2));
+  if (!anatomy) return {};
+  return assemble(std::move(*anatomy), options, context.part(0.2, 1.0));
 }
 
 BuiltModel build_from_mesh(TetMesh mesh) {

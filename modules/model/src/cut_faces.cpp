@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "glisson/core/error.h"
-
 namespace glisson::model {
 namespace {
 
@@ -25,33 +23,20 @@ TriangleMesh mesh_of(const std::vector<Rectangle>& rectangles) {
 
 }  // namespace
 
-TriangleMesh cut_faces(const VolumeGrid& grid, const std::vector<std::uint8_t>& organ) {
-  require(static_cast<long>(organ.size()) == grid.voxel_count(), "an organ has the image's voxels");
+TriangleMesh cut_faces(const VolumeGrid& grid, const std::vector<CutRow>& rows) {
   std::vector<Rectangle> rectangles;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const bool high : {false, true}) {
-      Eigen::Vector3i at;
-      at[axis] = high ? grid.size[axis] - 1 : 0;
-      const auto corner = [&](double along_u, double along_v) {
-        Eigen::Vector3d index;
-        index[axis] = at[axis] + (high ? 0.5 : -0.5);
-        index[u] = along_u;
-        index[v] = along_v;
-        return grid.p_in_ct(index).xyz;
-      };
-      for (at[v] = 0; at[v] < grid.size[v]; ++at[v]) {
-        int first = -1;  // of a row of voxels
-        for (at[u] = 0; at[u] <= grid.size[u]; ++at[u]) {
-          const bool is_set = at[u] < grid.size[u] && organ[static_cast<std::size_t>(grid.offset(at))] != 0;
-          if (is_set && first < 0) first = at[u];
-          if (is_set || first < 0) continue;
-          rectangles.push_back({corner(first - 0.5, at[v] - 0.5), corner(at[u] - 0.5, at[v] - 0.5),
-                                corner(at[u] - 0.5, at[v] + 0.5), corner(first - 0.5, at[v] + 0.5)});
-          first = -1;
-        }
-      }
-    }
+  for (const CutRow& row : rows) {
+    const int u = (row.axis + 1) % 3, v = (row.axis + 2) % 3;
+    const auto corner = [&](double along_u, double along_v) {
+      Eigen::Vector3d index;
+      index[row.axis] = row.first[row.axis] + (row.high ? 0.5 : -0.5);
+      index[u] = along_u;
+      index[v] = along_v;
+      return grid.p_in_ct(index).xyz;
+    };
+    const double first = row.first[u] - 0.5, end = row.first[u] + row.count - 0.5;
+    const double low = row.first[v] - 0.5, high = row.first[v] + 0.5;
+    rectangles.push_back({corner(first, low), corner(end, low), corner(end, high), corner(first, high)});
   }
   return mesh_of(rectangles);
 }

@@ -256,33 +256,23 @@ std::optional<std::string> cava_note(const LabelVolume& labels, const std::vecto
 std::optional<std::string> region_note(const VolumeGrid& grid, const std::vector<std::uint8_t>& liver,
                                        const std::optional<Eigen::AlignedBox3d>& region) {
   if (!region) return {};
-  double cut = 0.0;
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i, ++at) {
-        if (liver[at] == 0) continue;
-        for (const int face : {0, 1, 2, 3, 4, 5}) {
-          const int axis = face / 2;
-          const Eigen::Vector3i here(i, j, k),
-              next = here + (face % 2 == 0 ? -1 : 1) * Eigen::Vector3i::Unit(axis);
-          if (!grid.contains(next) || liver[static_cast<std::size_t>(grid.offset(next))] != 0) continue;
-          if (is_in(region, grid, here) && !is_in(region, grid, next))
-            cut += grid.voxel_volume_mm3() / grid.spacing_mm[axis];
-        }
-      }
+  const auto rows = cut_rows(grid, liver, [&](const Eigen::Vector3i& here, const Eigen::Vector3i& next) {
+    return grid.contains(next) && is_in(region, grid, here) && !is_in(region, grid, next);
+  });
+  const double cut = area_mm2(grid, rows);
   if (cut < kLeastCutMm2) return {};
   return "liver.cut_by_region " + std::to_string(std::lround(1e-2 * cut));
 }
 
-SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds,
+SegmentationReport report_of(const Image& image, const LabelMap& labels, const Seeds& seeds,
                              const std::optional<Eigen::AlignedBox3d>& region) {
   SegmentationReport report;
   const std::vector<std::uint8_t> liver = inside_liver(labels);
   report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
                     labels.voxels.grid().voxel_volume_mm3();
-  if (auto note = cut_note(labels.voxels.grid(), liver)) report.notes.push_back(std::move(*note));
-  if (auto note = region_note(labels.voxels.grid(), liver, region)) report.notes.push_back(std::move(*note));
+  const VolumeGrid& grid = labels.voxels.grid();
+  if (auto note = cut_note(grid, image_cut(grid, liver, &image))) report.notes.push_back(std::move(*note));
+  if (auto note = region_note(grid, liver, region)) report.notes.push_back(std::move(*note));
   if (auto note = cava_note(labels.voxels, liver)) report.notes.push_back(std::move(*note));
   if (looks_mirrored(labels.voxels)) report.notes.emplace_back("liver.perhaps_mirrored");
   report.portal_ml = ml_of(labels.voxels, structure::kPortalVein);
@@ -422,7 +412,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   paint_all(*bodies, *vessels, found, painting);
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
-  result.report = report_of(result.labels, seeds, anew.liver ? options.region : std::nullopt);
+  result.report = report_of(whole, result.labels, seeds, anew.liver ? options.region : std::nullopt);
   note_doubts(seeds, anew, found, *bodies, vessels->trees, result.report);
   for (std::string& note : bright_lesion_notes(image, painting, bodies->lesions.size(), bodies->parenchyma))
     result.report.notes.push_back(std::move(note));

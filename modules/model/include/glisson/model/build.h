@@ -85,9 +85,10 @@ struct ModelOptions {
 
 /// Label map to model: CGAL tetrahedra with lesions as sub-domains, Lloyd, ODT, perturb, exude; fine surfaces
 /// by marching cubes; Dijkstra skeletons, Bezier fits, 6-DoF nodes; anterior margin by ridge detection. The
-/// same input and seed give the same bits. @throws InputError no liver, several large components.
+/// same input and seed give the same bits. @param image of the labels, on their grid: its padding cuts a
+/// liver as its sides do; null: it is not known. @throws InputError no liver, several large components.
 Cancellable<BuiltModel> build_from_labels(const LabelMap& labels, const ModelOptions& options,
-                                          const RunContext& context);
+                                          const RunContext& context, const Image* image = nullptr);
 
 /// Closed surfaces of one patient, CT frame, metres: `liver` required.
 struct SurfaceSet {
