@@ -31,6 +31,7 @@ class PairsTest : public QObject {
   void EstimatedNormalsFaceTheCamera();
   void UnusableCloudsAreRefused();
   void UnusableOptionsAreRefused();
+  void WhatIsSeenIsWhatBruteForceFinds();
 };
 
 namespace {
@@ -323,6 +324,40 @@ void PairsTest::UnusableOptionsAreRefused() {
   pairs_refuse([](PairOptions& o) { o.minimum_normal_cosine = 1.5; });
   pairs_refuse([](PairOptions& o) { o.outlier_deviations = 0.0; });
   pairs_refuse([](PairOptions& o) { o.outlier_floor = -1.0; });
+}
+
+/// To the bit, on both sides of zero and a little within and beyond the limit.
+void PairsTest::WhatIsSeenIsWhatBruteForceFinds() {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(-0.05, 0.05);
+  Points cloud(300, 3);
+  for (Eigen::Index i = 0; i < cloud.rows(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      cloud(i, axis) =
+          i % 2 == 0 ? anywhere(random) : kSeenWithin * std::round(anywhere(random) / kSeenWithin);
+  const auto is_near = [&](const Eigen::RowVector3d& at) {
+    return (cloud.rowwise() - at).rowwise().squaredNorm().minCoeff() < kSeenWithin * kSeenWithin;
+  };
+  const SeenPlaces places(cloud);
+  int seen_count = 0;
+  for (int n = 0; n < 3000; ++n) {
+    Eigen::RowVector3d at(anywhere(random), anywhere(random), anywhere(random));
+    if (n % 3 == 0)  // away from one point by about the limit
+      at = cloud.row(n % cloud.rows()) +
+           (n % 2 == 0 ? 1.0 - 1e-9 : 1.0 + 1e-9) * kSeenWithin * Eigen::RowVector3d::Unit(n / 3 % 3);
+    QCOMPARE(places.is_seen(at), is_near(at));
+    seen_count += is_near(at) ? 1 : 0;
+  }
+  QVERIFY(seen_count > 300 && seen_count < 2700);
+  TriangleMesh surface = phantom::model(10, 8, 4).surface.mesh;
+  surface.vertices.rowwise() -= surface.vertices.colwise().mean().eval();
+  const Eigen::VectorXd areas = vertex_areas(surface);
+  double seen_area = 0.0;
+  for (int v = 0; v < surface.vertex_count(); ++v)
+    if (is_near(surface.vertices.row(v))) seen_area += areas[v];
+  QVERIFY(seen_area > 0.0 && seen_area < areas.sum());
+  QVERIFY(seen_share(surface, cloud) == seen_area / areas.sum());
+  QVERIFY(!SeenPlaces(Points(0, 3)).is_seen(Eigen::RowVector3d::Zero()));
 }
 
 QTEST_APPLESS_MAIN(PairsTest)

@@ -93,7 +93,7 @@ Points pieces_of(const Points& line) {
 class LandmarkLooks {
  public:
   LandmarkLooks(const PatientModel& model, const LabelledCloud& cloud, const Registration& registration)
-      : model_(model), cloud_(cloud), registration_(registration) {}
+      : model_(model), cloud_(cloud), seen_(cloud.points), registration_(registration) {}
 
   ForceRows margin() const {
     const Points pieces = pieces_of(model_.landmarks.anterior_margin);
@@ -124,7 +124,7 @@ class LandmarkLooks {
     const Binding binding = bind_points(model_.mesh, landmark, false);
     const Points now = binding.apply(model_.mesh, registration_.nodes_in_camera);
     for (Eigen::Index i = 0; i < now.rows(); ++i) {
-      if (!is_seen(cloud_.points, now.row(i)) || is_marked(now.row(i), feature, marked)) continue;
+      if (!seen_.is_seen(now.row(i)) || is_marked(now.row(i), feature, marked)) continue;
       Carrier carrier;
       const auto tetrahedron = model_.mesh.tetrahedra.row(binding.tetrahedron[static_cast<std::size_t>(i)]);
       for (int k = 0; k < 4; ++k) {
@@ -138,6 +138,7 @@ class LandmarkLooks {
 
   const PatientModel& model_;
   const LabelledCloud& cloud_;
+  const SeenPlaces seen_;
   const Registration& registration_;
 };
 
@@ -151,6 +152,7 @@ std::vector<Look> surface_looks(const PatientModel& model, const LabelledCloud& 
   for (Eigen::Index i = 0; i < now.vertices.rows(); ++i)
     now.vertices.row(i) = registration.nodes_in_camera.row(nodes[static_cast<std::size_t>(i)]);
   const Points normals = vertex_normals(now), normals_at_rest = vertex_normals(model.surface.mesh);
+  const SeenPlaces seen(cloud.points);
   ForceRows all;
   std::vector<char> offered, is_new;
   for (std::size_t p = 0; p < places.spread.chosen.size(); ++p) {
@@ -160,7 +162,7 @@ std::vector<Look> surface_looks(const PatientModel& model, const LabelledCloud& 
     carrier.weights[0] = 1.0;
     add_rows(all, carrier, normals.row(v), std::sqrt(error.variance_of_area(places.area[p])));
     offered.push_back(is_offered(model, model.surface.mesh.vertices.row(v), normals_at_rest.row(v)));
-    is_new.push_back(offered.back() && !is_seen(cloud.points, now.vertices.row(v)));
+    is_new.push_back(offered.back() && !seen.is_seen(now.vertices.row(v)));
   }
   const Look everything = look_along(error, all);
   const auto is_shown = [&](Eigen::Index v, Eigen::Index middle) {

@@ -272,16 +272,39 @@ double landmark_share(Feature feature, double deviation) {
   return (own / deviation) * (own / deviation);
 }
 
-bool is_seen(const Points& cloud, const Eigen::RowVector3d& at) {
-  return cloud.rows() > 0 &&
-         (cloud.rowwise() - at).rowwise().squaredNorm().minCoeff() < kSeenWithin * kSeenWithin;
+SeenPlaces::SeenPlaces(const Points& cloud) {
+  points_.reserve(static_cast<std::size_t>(cloud.rows()));
+  for (const auto& point : cloud.rowwise()) points_.emplace_back(cell_of(point), point);
+  std::ranges::sort(points_, {}, &std::pair<Cell, Eigen::RowVector3d>::first);
+}
+
+SeenPlaces::Cell SeenPlaces::cell_of(const Eigen::RowVector3d& at) {
+  constexpr double kSide = 1.001 * kSeenWithin;  // no rounding takes a near point two cells away
+  Cell cell;
+  for (int axis = 0; axis < 3; ++axis)
+    cell[static_cast<std::size_t>(axis)] = static_cast<long>(std::floor(at[axis] / kSide));
+  return cell;
+}
+
+bool SeenPlaces::is_seen(const Eigen::RowVector3d& at) const {
+  const auto [x, y, z] = cell_of(at);
+  for (const long i : {x - 1, x, x + 1})
+    for (const long j : {y - 1, y, y + 1}) {
+      // The three cells along z lie one after the other.
+      auto point = std::ranges::lower_bound(points_, Cell{i, j, z - 1}, {},
+                                            &std::pair<Cell, Eigen::RowVector3d>::first);
+      for (; point != points_.end() && point->first <= Cell{i, j, z + 1}; ++point)
+        if ((point->second - at).squaredNorm() < kSeenWithin * kSeenWithin) return true;
+    }
+  return false;
 }
 
 double seen_share(const TriangleMesh& surface, const Points& cloud) {
   const Eigen::VectorXd areas = vertex_areas(surface);
+  const SeenPlaces places(cloud);
   double seen = 0.0;
   for (int v = 0; v < surface.vertex_count(); ++v)
-    if (is_seen(cloud, surface.vertices.row(v))) seen += areas[v];
+    if (places.is_seen(surface.vertices.row(v))) seen += areas[v];
   return seen / areas.sum();
 }
 

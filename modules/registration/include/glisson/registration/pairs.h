@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "glisson/patient/labelled_cloud.h"
@@ -93,8 +95,19 @@ std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& su
 /// What lies this near to a point of the cloud has been seen, metres: at the least density that the paper
 /// needs (0.7 points per cm2) the points of a patch are 12 mm apart.
 inline constexpr double kSeenWithin = 8e-3;
-/// Whether any point of the cloud lies within kSeenWithin of a place. Both in one frame, metres.
-bool is_seen(const Points& cloud, const Eigen::RowVector3d& at);
+/// Where a cloud has shown something, so that many places are asked about soon.
+class SeenPlaces {
+ public:
+  /// @param cloud metres
+  explicit SeenPlaces(const Points& cloud);
+  /// Whether any point of the cloud lies within kSeenWithin of a place in its frame, metres.
+  bool is_seen(const Eigen::RowVector3d& at) const;
+
+ private:
+  using Cell = std::array<long, 3>;  ///< a cube that is a little larger than kSeenWithin
+  static Cell cell_of(const Eigen::RowVector3d& at);
+  std::vector<std::pair<Cell, Eigen::RowVector3d>> points_;  ///< by cell
+};
 /// Share of a surface's area that has been seen. Both in one frame.
 double seen_share(const TriangleMesh& surface, const Points& cloud);
 /// Below a fifth of the surface the paper's error is over its 3 mm (Fig. 8), and ours up to centimetres far
