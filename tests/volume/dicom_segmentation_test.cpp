@@ -87,6 +87,7 @@ class DicomSegmentationTest : public QObject {
   void AnotherReaderFindsPlacesBitsAndReferences();
   void AnotherGridIsNotTakenForTheSame();
   void SlicesOfARoundedCtFindTheirPlace();
+  void ASingleSliceFindsItsPlaceWhateverItsThickness();
   void SeriesSayWhoseTheyAre();
   void SlicesOfTwoPatientsAreRefused();
   void OtherObjectsAreRefused();
@@ -241,6 +242,33 @@ void DicomSegmentationTest::SlicesOfARoundedCtFindTheirPlace() {
   QVERIFY(!placed_on(drawn({0, 0, 0.0}, 0.5), grid));
   QVERIFY(!placed_on(drawn({0.07, 0, 0}, 0.0), grid));
   QVERIFY(!placed_on(drawn({0, 0.07, 0}, 0.0), grid));
+}
+
+/// Where a file of one slice says no spacing between slices, its thickness stands for it: slices of a CT
+/// mostly overlap.
+void DicomSegmentationTest::ASingleSliceFindsItsPlaceWhateverItsThickness() {
+  const VolumeGrid grid = oblique_grid(false);
+  const LabelVolume labels = phantom(grid);
+  constexpr int kSlice = 3;
+  LabelVolume expected(grid);
+  for (int j = 0; j < grid.size.y(); ++j)
+    for (int i = 0; i < grid.size.x(); ++i) expected.set({i, j, kSlice}, labels.at({i, j, kSlice}));
+  const auto drawn = [&](double thickness, const Eigen::Vector3d& off) {
+    VolumeGrid slice = grid;
+    slice.size.z() = 1;
+    slice.origin_mm += grid.direction * (Eigen::Vector3d(0, 0, kSlice) + off).cwiseProduct(grid.spacing_mm);
+    slice.spacing_mm.z() *= thickness;
+    LabelVolume cut(slice);
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) cut.set({i, j, 0}, labels.at({i, j, kSlice}));
+    return cut;
+  };
+  for (const double thickness : {0.4, 1.0, 1.6, 2.0, 5.0}) {
+    const auto placed = placed_on(drawn(thickness, {0, 0, 0}), grid);
+    QVERIFY2(placed && *placed == expected, qPrintable(QString::number(thickness)));
+  }
+  QVERIFY(!placed_on(drawn(2.0, {0, 0, 0.5}), grid));
+  QVERIFY(!placed_on(drawn(2.0, {0.07, 0, 0}), grid));
 }
 
 void DicomSegmentationTest::SeriesSayWhoseTheyAre() {

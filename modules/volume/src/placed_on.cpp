@@ -37,7 +37,9 @@ std::optional<LabelVolume> placed_on(const LabelVolume& labels, const VolumeGrid
     const int last = std::max(own.size[axis] - 1, 1);
     Eigen::Vector3i far = Eigen::Vector3i::Zero();
     far[axis] = last;
-    const Eigen::Vector3d run = index(far) - first;
+    Eigen::Vector3d run = index(far) - first;
+    // From a single slice to the next there is no gap: its grid holds its thickness, and slices may overlap.
+    if (axis == kSlices && own.size[axis] == 1) run.normalize();
     steps.col(axis) = (run / last).array().round().matrix().cast<int>();
     if (steps.col(axis).cwiseAbs().sum() != 1) return std::nullopt;
     off.col(axis) = run - (steps.col(axis) * last).cast<double>();

@@ -38,7 +38,8 @@ bool has_dicom_mark(const std::filesystem::path& path);
 
 /// The labels on `grid`, voxel by voxel, where theirs is a part of it: the same lattice to a hundredth of a
 /// voxel, axes flipped or permuted as may be. Slices may lie up to a quarter of a gap beside those of `grid`:
-/// a CT's need not be even, its grid is. What lies outside theirs is 0. No value: it is no part of it.
+/// a CT's need not be even, its grid is. Of a single slice the thickness does not count. What lies outside
+/// theirs is 0. No value: it is no part of it.
 std::optional<LabelVolume> placed_on(const LabelVolume& labels, const VolumeGrid& grid);
 
 }  // namespace glisson
