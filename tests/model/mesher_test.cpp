@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher.h"
 
+#include <Eigen/Geometry>
 #include <QTest>
 
 using namespace glisson;
@@ -24,6 +25,7 @@ class MesherTest : public QObject {
   Q_OBJECT
  private slots:
   void ALesionOfThickSlicesIsFilledToItsEnds();
+  void AFieldOfAPartIsThatOfTheWhole();
 };
 
 void MesherTest::ALesionOfThickSlicesIsFilledToItsEnds() {
@@ -45,6 +47,28 @@ void MesherTest::ALesionOfThickSlicesIsFilledToItsEnds() {
   }
   const double length_mm = 1e3 * (high - low);
   QVERIFY2(std::abs(length_mm - 24.0) < 1.0, qPrintable(QString::number(length_mm)));
+}
+
+/// To the bit, or lesions would be meshed otherwise than before.
+void MesherTest::AFieldOfAPartIsThatOfTheWhole() {
+  VolumeGrid grid;
+  grid.size = {40, 30, 20};
+  grid.spacing_mm = {0.7, 0.9, 2.5};
+  grid.origin_mm = {-101.3, 33.7, -912.1};
+  grid.direction = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Eigen::Vector3i low(31, 0, 15), size(9, 7, 4);  // it ends on two sides of the volume
+  const ScalarField whole = cuboid(grid, low, size);
+  for (const int beside : {0, 3}) {  // how much more the part holds
+    const Eigen::Vector3i from = low - Eigen::Vector3i(beside, 0, beside);
+    Mask part(size + Eigen::Vector3i(beside, beside, beside), grid.spacing_mm);
+    for (int k = 0; k < size.z(); ++k)
+      for (int j = 0; j < size.y(); ++j)
+        for (int i = 0; i < size.x(); ++i) part.voxels[part.offset(beside + i, j, beside + k)] = 1;
+    const ScalarField field = model::field_of_mask(grid, part, from, 0.5);
+    QVERIFY(field.values() == whole.values());
+    QVERIFY(field.grid().size == whole.grid().size);
+    QVERIFY(field.grid().origin_mm == whole.grid().origin_mm);
+  }
 }
 
 QTEST_APPLESS_MAIN(MesherTest)

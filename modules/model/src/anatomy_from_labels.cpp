@@ -9,6 +9,7 @@
 #include "glisson/model/label_surfaces.h"
 #include "glisson/patient/cut_organ.h"
 #include "glisson/patient/lesion_pieces.h"
+#include "glisson/volume/brick_voxels.h"
 #include "surface_field.h"
 
 namespace glisson::model {
@@ -64,6 +65,40 @@ void note_pieces(const LabelVolume& labels, Label lesion, std::vector<std::strin
   const std::size_t pieces = lesion_pieces(labels, lesion).size();
   if (pieces > 1)
     notes.push_back("lesion.in_pieces " + structure_name(lesion) + ' ' + std::to_string(pieces));
+}
+
+/// The voxels of a label, in the box around them: lesions are small, and may be many.
+struct Part {
+  Mask mask;
+  Eigen::Vector3i low;  ///< the box's first voxel
+};
+
+/// @pre some voxel has the label
+Part part_of(const LabelVolume& labels, Label label) {
+  Eigen::Vector3i low = labels.grid().size, high = Eigen::Vector3i::Zero();
+  each_voxel(labels, label, [&](const Eigen::Vector3i& v) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  });
+  Part part{Mask(high - low + Eigen::Vector3i::Ones(), labels.grid().spacing_mm), low};
+  each_voxel(labels, label, [&](const Eigen::Vector3i& v) {
+    const Eigen::Vector3i at = v - low;
+    part.mask.voxels[part.mask.offset(at.x(), at.y(), at.z())] = 1;
+  });
+  return part;
+}
+
+/// Leaves what lies in the liver.
+void clip(Part& part, const VolumeGrid& grid, const std::vector<std::uint8_t>& liver) {
+  for (int k = 0; k < part.mask.size.z(); ++k)
+    for (int j = 0; j < part.mask.size.y(); ++j)
+      for (int i = 0; i < part.mask.size.x(); ++i)
+        part.mask.voxels[part.mask.offset(i, j, k)] &=
+            liver[static_cast<std::size_t>(grid.offset(part.low + Eigen::Vector3i(i, j, k)))];
+}
+
+ScalarField field_of_part(const VolumeGrid& grid, const Part& part) {
+  return field_of_mask(grid, part.mask, part.low, 0.5 * smoothing_of(grid));
 }
 
 /// Vessel voxels in the liver or at its entrances.
@@ -134,16 +169,16 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
   for (std::size_t code = 2; code < histogram.size(); ++code) {
     if (histogram[code] == 0) continue;
     const auto label = static_cast<Label>(code);
-    std::vector<std::uint8_t> mask = voxels.mask([&](Label other) { return other == label; });
     if (is_lesion(label)) {
-      for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= liver[i];
-      const double mm3 = static_cast<double>(count(mask)) * grid.voxel_volume_mm3();
+      Part lesion = part_of(voxels, label);
+      clip(lesion, grid, liver);
+      const double mm3 = static_cast<double>(lesion.mask.count()) * grid.voxel_volume_mm3();
       if (is_dropped(label, mm3, anatomy.notes)) continue;
       note_pieces(voxels, label, anatomy.notes);
-      anatomy.lesions.emplace_back(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid)));
+      anatomy.lesions.emplace_back(label, field_of_part(grid, lesion));
       anatomy.surfaces.push_back(surface_of(label, anatomy.lesions.back().second));
     } else if (label <= structure::kGallbladder) {
-      anatomy.surfaces.push_back(surface_of(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid))));
+      anatomy.surfaces.push_back(surface_of(label, field_of_part(grid, part_of(voxels, label))));
       if (is_wanted_vessel(label, options)) add_vessel(vessel_in_liver(label, voxels, near_liver), anatomy);
     }
     if (context.cancelled()) return {};
@@ -172,8 +207,7 @@ Cancellable<std::vector<NamedSurface>> surfaces_of_labels(const LabelMap& labels
     if (histogram[code] == 0 || (!is_lesion(label) && label > structure::kGallbladder)) continue;
     const double mm3 = static_cast<double>(histogram[code]) * grid.voxel_volume_mm3();
     if (is_lesion(label) && is_dropped(label, mm3, notes)) continue;
-    const std::vector<std::uint8_t> mask = voxels.mask([&](Label other) { return other == label; });
-    surfaces.push_back(surface_of(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid))));
+    surfaces.push_back(surface_of(label, field_of_part(grid, part_of(voxels, label))));
   }
   std::erase_if(surfaces, [](const NamedSurface& surface) { return surface.mesh.triangle_count() == 0; });
   return surfaces;

@@ -151,21 +151,26 @@ VolumeGrid grid_around(const Points& points, double spacing_mm, double margin_mm
 
 ScalarField field_of_mask(const VolumeGrid& grid, const std::vector<std::uint8_t>& mask,
                           double smoothing_mm) {
-  const Eigen::Vector3d sigma = smoothing_mm * grid.spacing_mm.cwiseInverse();
   const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, mask, 0.0);
+  return field_of_mask(grid, crop(grid.size, grid.spacing_mm, mask, box), box.low, smoothing_mm);
+}
+
+ScalarField field_of_mask(const VolumeGrid& grid, const Mask& mask, const Eigen::Vector3i& low,
+                          double smoothing_mm) {
+  const Eigen::Vector3d sigma = smoothing_mm * grid.spacing_mm.cwiseInverse();
+  const VoxelBox box = bounding_box(mask.size, mask.spacing_mm, mask.voxels, 0.0);
   require(!box.empty(), "field_of_mask needs a voxel that is set");
   // The margin may reach out of the image: an organ cut by its edge is closed there.
   const Eigen::Vector3i margin = (3.0 * sigma).array().ceil().cast<int>() + 2;
   const Eigen::Vector3i size = box.size() + 2 * margin;
-  const VolumeGrid part = part_of(grid, box.low - margin, size);
+  const VolumeGrid part = part_of(grid, low + box.low - margin, size);
   std::vector<float> values(static_cast<std::size_t>(part.voxel_count()), 0.0F);
   long count = 0;
   for (int k = box.low.z(); k < box.high.z(); ++k)
     for (int j = box.low.y(); j < box.high.y(); ++j)
       for (int i = box.low.x(); i < box.high.x(); ++i) {
-        const Eigen::Vector3i v(i, j, k);
-        if (mask[static_cast<std::size_t>(grid.offset(v))] == 0) continue;
-        values[static_cast<std::size_t>(part.offset(v - box.low + margin))] = 1.0F;
+        if (mask.voxels[mask.offset(i, j, k)] == 0) continue;
+        values[static_cast<std::size_t>(part.offset(Eigen::Vector3i(i, j, k) - box.low + margin))] = 1.0F;
         ++count;
       }
   for (int axis = 0; axis < 3; ++axis) blur_axis(values, size, axis, sigma[axis]);

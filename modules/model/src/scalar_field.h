@@ -45,6 +45,9 @@ class ScalarField {
 /// the stairs away, and the level is chosen so that nothing shrinks.
 /// @param smoothing_mm standard deviation.
 ScalarField field_of_mask(const VolumeGrid& grid, const std::vector<std::uint8_t>& mask, double smoothing_mm);
+/// The same, to the bit, of a part of the grid that holds all of it. @param low the part's first voxel.
+ScalarField field_of_mask(const VolumeGrid& grid, const Mask& mask, const Eigen::Vector3i& low,
+                          double smoothing_mm);
 
 /// Signed distance (millimetres) to a closed surface, exact within two voxels of it.
 /// @pre is_closed(surface)

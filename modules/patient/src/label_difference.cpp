@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "brick_voxels.h"
 #include "glisson/core/error.h"
+#include "glisson/volume/brick_voxels.h"
 
 namespace glisson {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "brick_voxels.h"
+#include "glisson/volume/brick_voxels.h"
 
 namespace glisson {
 std::optional<Point<CtFrame>> place_of(const LabelVolume& labels, Label label) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "brick_voxels.h"
+#include "glisson/volume/brick_voxels.h"
 #include "glisson/volume/morphology.h"
 
 namespace glisson {
