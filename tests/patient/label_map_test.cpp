@@ -55,6 +55,7 @@ class LabelMapTest : public QObject {
   void RecodeFollowsTheTable();
   void RecodeRefusesAFileWithoutLiver();
   void RecodeRefusesAMirroredPatient();
+  void APartThatIsSplitOffBecomesWhatIsFree();
   void CodesAreReadByName();
   void LesionsOfOtherOrgansAreNoneOfTheLiver();
   void BadCodesAreRefused_data();
@@ -168,6 +169,17 @@ void LabelMapTest::BadCodesAreRefused() {
   write_file_atomically(path, text.toStdString());
   QVERIFY_THROWS_EXCEPTION(InputError, read_label_codes(path));
   QVERIFY_THROWS_EXCEPTION(FileError, read_label_codes(folder.path() / "absent.json"));
+}
+
+void LabelMapTest::APartThatIsSplitOffBecomesWhatIsFree() {
+  const auto taken = [](Label label) { return label == 7 || label == 17; };
+  const std::vector<Label> lesions = free_labels(structure::kFirstLesion, taken);
+  QCOMPARE(lesions.size(), std::size_t{239});
+  QCOMPARE(lesions[0], Label{16});
+  QCOMPARE(lesions[1], Label{18});
+  QCOMPARE(lesions.back(), structure::kLastLesion);
+  QCOMPARE(free_labels(structure::kPortalVein, taken), (std::vector<Label>{8, 9, 10, 11, 12, 13, 14, 15}));
+  QVERIFY(free_labels(structure::kFirstLesion, [](Label) { return true; }).empty());
 }
 
 QTEST_APPLESS_MAIN(LabelMapTest)

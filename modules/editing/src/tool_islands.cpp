@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/editing/tools/islands.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "describe.h"
@@ -19,21 +20,13 @@ bool is_clicked(const Islands& tool) {
   return tool.operation == Operation::keep_clicked || tool.operation == Operation::remove_clicked;
 }
 
-/// The labels that nobody has, for parts that are split off: lesions from lesions, others from the rest.
-std::vector<Label> free_labels(const Task& task, Label like) {
-  const bool lesions = is_lesion(like);
-  const int first = lesions ? structure::kFirstLesion : structure::kFirstOther;
-  const int last = lesions ? structure::kLastLesion : structure::kLastOther;
-  std::vector<bool> taken(structure::kLastLesion + 1U, false);
+/// The labels that no voxel has and nobody has locked.
+std::vector<Label> labels_for_parts(const Task& task, Label like) {
   const std::vector<long> counts = task.labels.voxels.histogram();
-  for (std::size_t label = 0; label < std::min(counts.size(), taken.size()); ++label)
-    taken[label] = counts[label] > 0;
-  for (const Label locked : task.region.locked)
-    if (locked < taken.size()) taken[locked] = true;
-  std::vector<Label> free;
-  for (int label = first; label <= last; ++label)
-    if (!taken[static_cast<std::size_t>(label)]) free.push_back(static_cast<Label>(label));
-  return free;
+  const std::vector<Label>& locked = task.region.locked;
+  return free_labels(like, [&](Label label) {
+    return (label < counts.size() && counts[label] > 0) || std::ranges::find(locked, label) != locked.end();
+  });
 }
 
 /// Components by falling size; equal ones as they come in memory.
@@ -79,7 +72,7 @@ std::vector<Label> fates(const Islands& tool, Task& task, const Runs& islands, c
       fate[clicked_island(tool, task, islands, box)] = structure::kBackground;
       break;
     case Operation::split: {
-      const std::vector<Label> free = free_labels(task, tool.label);
+      const std::vector<Label> free = labels_for_parts(task, tool.label);
       for (std::size_t n = 1; n < std::min(count, free.size() + 1); ++n) fate[order[n]] = free[n - 1];
       if (count > free.size() + 1)
         task.notes.push_back("islands_left:" + std::to_string(count - free.size() - 1));

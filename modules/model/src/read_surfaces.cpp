@@ -105,13 +105,12 @@ std::map<std::string, fs::path> files_in(const fs::path& folder, std::vector<std
 
 /// The first lesion that no file names and no surface has.
 Label free_lesion(const SurfaceSet& set, const std::set<Label>& named) {
-  for (int number = structure::kFirstLesion; number <= structure::kLastLesion; ++number) {
-    const auto label = static_cast<Label>(number);
-    const bool is_taken =
-        std::any_of(set.others.begin(), set.others.end(),
-                    [label](const NamedSurface& other) { return other.structure == label; });
-    if (!is_taken && !named.contains(label)) return label;
-  }
+  const std::vector<Label> free = free_labels(structure::kFirstLesion, [&](Label label) {
+    const bool is_there = std::ranges::any_of(
+        set.others, [label](const NamedSurface& other) { return other.structure == label; });
+    return is_there || named.contains(label);
+  });
+  if (!free.empty()) return free.front();
   throw InputError("surfaces", "lesions", "there are more than 240", "Keep those that matter");
 }
 

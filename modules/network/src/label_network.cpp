@@ -153,14 +153,14 @@ void number_lesions(std::vector<Label>& labels, const std::vector<std::uint8_t>&
   std::vector<long> sizes;
   const std::vector<int> pieces = connected_components(mask, sizes);
   std::vector<Label> names(sizes.size() + 1, structure::kParenchyma);
-  Label next = structure::kFirstLesion;
+  const std::vector<Label> free =
+      free_labels(structure::kFirstLesion, [&merging](Label label) { return merging.is_locked(label); });
+  auto next = free.begin();
   long small = 0;
   for (std::size_t piece = 0; piece < sizes.size(); ++piece) {
-    while (merging.is_locked(next)) ++next;
     const double ml = 1e-3 * grid.voxel_volume_mm3() * static_cast<double>(sizes[piece]);
-    const bool counts = ml >= sheet.least_lesion_ml && next <= structure::kLastLesion;
-    if (counts)
-      names[piece + 1] = next++;
+    if (ml >= sheet.least_lesion_ml && next != free.end())
+      names[piece + 1] = *next++;
     else
       ++small;
   }

@@ -38,14 +38,6 @@ std::vector<std::vector<Eigen::Vector3i>> pieces_of(const LabelVolume& labels, L
   return pieces;
 }
 
-/// Lesions' labels that no voxel has.
-std::vector<Label> free_labels(const std::vector<long>& counts) {
-  std::vector<Label> free;
-  for (Label label = structure::kFirstLesion; label <= structure::kLastLesion; ++label)
-    if (label >= counts.size() || counts[label] == 0) free.push_back(label);
-  return free;
-}
-
 void add_info(LabelMap& labels, Label lesion, Label piece) {
   LabelInfo info = structure_info(piece);
   const auto known = std::ranges::find(labels.infos, lesion, &LabelInfo::code);
@@ -65,7 +57,8 @@ std::vector<long> lesion_pieces(const LabelVolume& labels, Label lesion) {
 std::vector<LesionSplit> split_lesions(LabelMap& labels) {
   std::vector<LesionSplit> splits;
   const std::vector<long> counts = labels.voxels.histogram();
-  const std::vector<Label> free = free_labels(counts);
+  const std::vector<Label> free = free_labels(
+      structure::kFirstLesion, [&counts](Label label) { return label < counts.size() && counts[label] > 0; });
   auto next = free.begin();
   for (std::size_t code = structure::kFirstLesion; code < counts.size(); ++code) {
     const auto lesion = static_cast<Label>(code);

@@ -9,6 +9,15 @@ bool is_other(Label label) { return label >= structure::kFirstOther && label <= 
 
 bool is_liver_tissue(Label label) { return label == structure::kParenchyma || is_lesion(label); }
 
+std::vector<Label> free_labels(Label like, const std::function<bool(Label)>& is_taken) {
+  const Label first = is_lesion(like) ? structure::kFirstLesion : structure::kFirstOther;
+  const Label last = is_lesion(like) ? structure::kLastLesion : structure::kLastOther;
+  std::vector<Label> free;
+  for (Label label = first; label <= last; ++label)
+    if (!is_taken(label)) free.push_back(label);
+  return free;
+}
+
 std::optional<Label> structure_named(const std::string& name) {
   for (int label = structure::kBackground; label <= structure::kLastLesion; ++label)
     if (structure_name(static_cast<Label>(label)) == name) return static_cast<Label>(label);

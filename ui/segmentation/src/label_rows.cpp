@@ -19,9 +19,9 @@ std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics
   if (statistics != nullptr)
     for (const auto& [label, figures] : statistics->figures())
       if (label != structure::kBackground && figures.voxels > 0) labels.insert(label);
-  int free = structure::kFirstLesion;
-  while (free <= structure::kLastLesion && labels.count(static_cast<Label>(free)) > 0) ++free;
-  if (free <= structure::kLastLesion) labels.insert(static_cast<Label>(free));
+  const std::vector<Label> free =
+      free_labels(structure::kFirstLesion, [&labels](Label label) { return labels.contains(label); });
+  if (!free.empty()) labels.insert(free.front());
   if (worked_on != structure::kBackground) labels.insert(worked_on);
   std::vector<LabelRow> rows;
   for (const Label label : labels) {

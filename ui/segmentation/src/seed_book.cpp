@@ -109,9 +109,9 @@ std::set<Label> lesions_to_seed(const segmentation::Seeds& seeds,
   if (statistics != nullptr)
     for (const auto& [label, figures] : statistics->figures())
       if (figures.voxels > 0) taken.insert(label);
-  int free = structure::kFirstLesion;
-  while (free <= structure::kLastLesion && taken.count(static_cast<Label>(free)) > 0) ++free;
-  if (free <= structure::kLastLesion) offered.insert(static_cast<Label>(free));
+  const std::vector<Label> free =
+      free_labels(structure::kFirstLesion, [&taken](Label label) { return taken.contains(label); });
+  if (!free.empty()) offered.insert(free.front());
   return offered;
 }
 

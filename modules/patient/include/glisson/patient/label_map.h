@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,6 +38,9 @@ bool is_lesion(Label label);
 bool is_other(Label label);
 /// Parenchyma, or a lesion.
 bool is_liver_tissue(Label label);
+/// What a part that is split off may become, ascending: the lesions that are not taken where it comes from a
+/// lesion, else the others.
+std::vector<Label> free_labels(Label like, const std::function<bool(Label)>& is_taken);
 /// Code for people and files: "parenchyma", "portal_vein", ..., "lesion_1". Not translated.
 std::string structure_name(Label label);
 /// The label whose structure_name() is `name`; "label_12345" has none.
