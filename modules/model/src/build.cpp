@@ -12,6 +12,7 @@
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/sharpness.h"
+#include "margin_search.h"
 #include "mesh_to_size.h"
 #include "vessels.h"
 
@@ -79,12 +80,13 @@ double length_on_cut(const Points& line, const TriangleMesh& cut) {
 
 /// Notes how much would be margin if the cut were surface.
 Points margin_of(const Anatomy& anatomy, std::vector<std::string>& notes) {
+  const MarginSearch search(anatomy.fine_liver, kInferiorAnterior);
   if (anatomy.cut.triangle_count() > 0) {
-    const Points with_cut = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior);
+    const Points with_cut = search.margin({});
     const double length_mm = 1e3 * length_on_cut(with_cut, anatomy.cut);
     if (length_mm >= 1.0) notes.push_back("landmarks.margin_on_cut " + shown(length_mm));
   }
-  Points margin = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior, anatomy.cut);
+  Points margin = search.margin(anatomy.cut);
   if (margin.rows() == 0) notes.push_back("landmarks.no_anterior_margin");
   return margin;
 }

@@ -6,9 +6,9 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
-#include "glisson/geometry/sharpness.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/model/build.h"
+#include "margin_search.h"
 
 namespace glisson::model {
 namespace {
@@ -182,38 +182,42 @@ std::vector<int> crest(const TriangleMesh& mesh, const std::vector<std::vector<i
 
 }  // namespace
 
-Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior,
-                              const TriangleMesh& cut) {
-  if (surface.triangle_count() == 0) return Points(0, 3);
-  const TriangleMesh mesh = refined(surface, kLongestEdge);
-  const Sharpness sharpness(mesh);
-  std::vector<double> sharp = sharpness.value();
-  const Eigen::Vector3d wanted =
-      inferior_anterior.norm() > 0.0 ? inferior_anterior.normalized().eval() : Eigen::Vector3d::Zero().eval();
-  const auto neighbours = vertex_neighbours(mesh);
+MarginSearch::MarginSearch(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior)
+    : surface_(surface),
+      mesh_(refined(surface, kLongestEdge)),
+      sharpness_(mesh_),
+      neighbours_(vertex_neighbours(mesh_)),
+      wanted_(inferior_anterior.norm() > 0.0 ? inferior_anterior.normalized().eval()
+                                             : Eigen::Vector3d::Zero().eval()),
+      sharp_(sharpness_.value()) {
   // What faces the wrong way is left out only now: the thresholds come from the whole mesh.
-  int count = 0;
-  if (wanted.norm() > 0.0)
-    for (std::size_t v = 0; v < sharp.size(); ++v)
-      if (sharpness.normal(static_cast<int>(v)).dot(wanted) < kWrongSide) sharp[v] = std::min(sharp[v], 0.0);
-  const std::vector<Place> place = places(mesh, cut);
+  if (wanted_.norm() > 0.0)
+    for (std::size_t v = 0; v < sharp_.size(); ++v)
+      if (sharpness_.normal(static_cast<int>(v)).dot(wanted_) < kWrongSide)
+        sharp_[v] = std::min(sharp_[v], 0.0);
+}
+
+Points MarginSearch::margin(const TriangleMesh& cut) const {
+  std::vector<double> sharp = sharp_;
+  const std::vector<Place> place = places(mesh_, cut);
   for (std::size_t v = 0; v < sharp.size(); ++v)
     if (place[v] == Place::on_cut) sharp[v] = std::min(sharp[v], 0.0);
-  const std::vector<int> ridge_of = ridges(neighbours, sharp, place, count);
+  int count = 0;
+  const std::vector<int> ridge_of = ridges(neighbours_, sharp, place, count);
 
   std::vector<Eigen::Vector3d> best;
   double best_score = 0.0;
   for (int ridge = 0; ridge < count; ++ridge) {
     const auto member =
         static_cast<int>(std::find(ridge_of.begin(), ridge_of.end(), ridge) - ridge_of.begin());
-    const std::vector<int> path = crest(mesh, neighbours, ridge_of, member, sharp, place);
+    const std::vector<int> path = crest(mesh_, neighbours_, ridge_of, member, sharp, place);
     double length = 0.0, score = 0.0;
-    std::vector<Eigen::Vector3d> line{mesh.vertex(path.front())};
+    std::vector<Eigen::Vector3d> line{mesh_.vertex(path.front())};
     for (std::size_t i = 1; i < path.size(); ++i) {
-      line.push_back(mesh.vertex(path[i]));
+      line.push_back(mesh_.vertex(path[i]));
       const double step = (line[i] - line[i - 1]).norm();
       length += step;
-      score += step * (wanted.norm() > 0.0 ? 0.5 + sharpness.normal(path[i]).dot(wanted) : 1.0);
+      score += step * (wanted_.norm() > 0.0 ? 0.5 + sharpness_.normal(path[i]).dot(wanted_) : 1.0);
     }
     if (length < kLeastLength || score <= best_score) continue;
     best_score = score;
@@ -221,9 +225,15 @@ Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d
   }
   if (best.size() < 2) return Points(0, 3);
   // The end farther from the middle of the organ comes first, whatever the frame.
-  const Eigen::Vector3d middle = centroid(surface);
+  const Eigen::Vector3d middle = centroid(surface_);
   if ((best.back() - middle).norm() > (best.front() - middle).norm()) std::reverse(best.begin(), best.end());
-  return smoothed(evenly_spaced(best, kSpacing), surface);
+  return smoothed(evenly_spaced(best, kSpacing), surface_);
+}
+
+Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior,
+                              const TriangleMesh& cut) {
+  if (surface.triangle_count() == 0) return Points(0, 3);
+  return MarginSearch(surface, inferior_anterior).margin(cut);
 }
 
 }  // namespace glisson::model

@@ -101,18 +101,31 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
   return error;
 }
 
-std::vector<LesionError> lesions_of(const PatientModel& model, const ErrorModel& error,
-                                    const Registration& registration) {
+/// The lesions' middles, tied to the mesh.
+struct BoundLesions {
+  std::vector<Label> labels;
+  Binding middles;
+};
+
+BoundLesions bound_lesions(const PatientModel& model) {
   const auto centres = lesion_centres(model);
+  BoundLesions bound;
   Points points(static_cast<Eigen::Index>(centres.size()), 3);
-  for (std::size_t i = 0; i < centres.size(); ++i)
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    bound.labels.push_back(centres[i].first);
     points.row(static_cast<Eigen::Index>(i)) = centres[i].second.transpose();
-  const Binding binding = bind_points(model.mesh, points);
-  const Points found = binding.apply(model.mesh, registration.nodes_in_camera);
-  const std::vector<Eigen::Matrix3d> covariances = error.covariances(model.mesh, binding);
+  }
+  bound.middles = bind_points(model.mesh, points);
+  return bound;
+}
+
+std::vector<LesionError> lesions_of(const TetMesh& mesh, const BoundLesions& bound, const ErrorModel& error,
+                                    const Registration& registration) {
+  const Points found = bound.middles.apply(mesh, registration.nodes_in_camera);
+  const std::vector<Eigen::Matrix3d> covariances = error.covariances(mesh, bound.middles);
   std::vector<LesionError> lesions;
-  for (std::size_t i = 0; i < centres.size(); ++i)
-    lesions.push_back({centres[i].first, found.row(static_cast<Eigen::Index>(i)).transpose(), covariances[i],
+  for (std::size_t i = 0; i < bound.labels.size(); ++i)
+    lesions.push_back({bound.labels[i], found.row(static_cast<Eigen::Index>(i)).transpose(), covariances[i],
                        mean_error(covariances[i])});
   return lesions;
 }
@@ -125,12 +138,9 @@ void sized_as(const Eigen::VectorXd& rms, SymmetricRows& covariances) {
 }
 
 /// The same for lesions, at whose middles the nodes' lengths are interpolated.
-void size_lesions(const PatientModel& model, const Eigen::VectorXd& rms, std::vector<LesionError>& lesions) {
-  Points middles(static_cast<Eigen::Index>(lesions.size()), 3);
-  const auto centres = lesion_centres(model);
-  for (std::size_t i = 0; i < lesions.size(); ++i)
-    middles.row(static_cast<Eigen::Index>(i)) = centres[i].second.transpose();
-  const Points sizes = bind_points(model.mesh, middles).apply(model.mesh, rms.replicate<1, 3>());
+void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::VectorXd& rms,
+                  std::vector<LesionError>& lesions) {
+  const Points sizes = bound.middles.apply(mesh, rms.replicate<1, 3>());
   for (std::size_t i = 0; i < lesions.size(); ++i) {
     LesionError& lesion = lesions[i];
     const double size = sizes(static_cast<Eigen::Index>(i), 0), trace = lesion.covariance.trace();
@@ -361,7 +371,8 @@ class Run {
     examined_.error = std::make_shared<const ErrorModel>(
         error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals, knows_pose(), context_));
     if (context_.cancelled()) return false;
-    examined_.lesions = lesions_of(model_, *examined_.error, registration_);
+    bound_lesions_ = bound_lesions(model_);
+    examined_.lesions = lesions_of(model_.mesh, bound_lesions_, *examined_.error, registration_);
     auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error,
                              options_.start != Start::none},
                             context_.quiet());
@@ -398,7 +409,7 @@ class Run {
     registration_.covariances = examined_.error->node_covariances();
     if (has_own && forces->expected_error.size() == registration_.covariances.rows()) {
       sized_as(forces->expected_error, registration_.covariances);
-      size_lesions(model_, forces->expected_error, examined_.lesions);
+      size_lesions(model_.mesh, bound_lesions_, forces->expected_error, examined_.lesions);
     } else if (has_own) {
       registration_.covariances.resize(0, 6);  // not known, as the expected errors
       examined_.lesions.clear();
@@ -434,6 +445,7 @@ class Run {
   std::optional<ShapeFits> shapes_;
   Registration registration_;
   ExaminedRegistration examined_;
+  BoundLesions bound_lesions_;
   MirrorControl control_;
 };
 
