@@ -5911,6 +5911,14 @@
         <source>Free some memory</source>
         <translation>Geben Sie Arbeitsspeicher frei</translation>
     </message>
+    <message>
+        <source>is what the organ is followed from just now</source>
+        <translation>ist die, von der aus das Organ gerade verfolgt wird</translation>
+    </message>
+    <message>
+        <source>Stop tracking first</source>
+        <translation>Beenden Sie zuerst die Verfolgung</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6938,6 +6946,10 @@
     <message>
         <source>No moment of the live view is kept (Guidance).</source>
         <translation>Kein Moment der Live-Ansicht ist aufgehoben (Navigation).</translation>
+    </message>
+    <message>
+        <source>The organ is followed from the place it has now: stop tracking first.</source>
+        <translation>Das Organ wird von seinem jetzigen Ort aus verfolgt: Beenden Sie zuerst die Verfolgung.</translation>
     </message>
 </context>
 <context>
@@ -11383,13 +11395,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::PlacingModel</name>
-    <message>
-        <source>Stop the tracking first.</source>
-        <translation>Beenden Sie zuerst die Verfolgung.</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::PlaybackBox</name>
     <message>
         <source>Start tracking</source>
@@ -11980,10 +11985,6 @@
     <message>
         <source>A place is being taken.</source>
         <translation>Ein Ort wird gerade übernommen.</translation>
-    </message>
-    <message>
-        <source>The organ is followed from the place it has now: stop tracking first.</source>
-        <translation>Das Organ wird von seinem jetzigen Ort aus verfolgt: Beenden Sie zuerst die Verfolgung.</translation>
     </message>
 </context>
 <context>

@@ -5911,6 +5911,14 @@
         <source>Free some memory</source>
         <translation>Libérez de la mémoire</translation>
     </message>
+    <message>
+        <source>is what the organ is followed from just now</source>
+        <translation>est celui depuis lequel l&apos;organe est suivi en ce moment</translation>
+    </message>
+    <message>
+        <source>Stop tracking first</source>
+        <translation>Arrêtez d&apos;abord le suivi</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6938,6 +6946,10 @@
     <message>
         <source>No moment of the live view is kept (Guidance).</source>
         <translation>Aucun instant de la vue en direct n&apos;est conservé (Guidage).</translation>
+    </message>
+    <message>
+        <source>The organ is followed from the place it has now: stop tracking first.</source>
+        <translation>L&apos;organe est suivi depuis sa position actuelle : arrêtez d&apos;abord le suivi.</translation>
     </message>
 </context>
 <context>
@@ -11383,13 +11395,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::PlacingModel</name>
-    <message>
-        <source>Stop the tracking first.</source>
-        <translation>Arrêtez d’abord le suivi.</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::PlaybackBox</name>
     <message>
         <source>Start tracking</source>
@@ -11980,10 +11985,6 @@
     <message>
         <source>A place is being taken.</source>
         <translation>Une position est en train d&apos;être prise.</translation>
-    </message>
-    <message>
-        <source>The organ is followed from the place it has now: stop tracking first.</source>
-        <translation>L&apos;organe est suivi depuis sa position actuelle : arrêtez d&apos;abord le suivi.</translation>
     </message>
 </context>
 <context>

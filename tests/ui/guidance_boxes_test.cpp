@@ -30,7 +30,6 @@
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/registration_box.h"
-#include "glisson/ui/guidance/rival_pictures.h"
 #include "guidance_bench.h"
 #include "run_in_window.h"
 
@@ -289,13 +288,15 @@ void GuidanceBoxesTest::NoPlaceIsTakenWhileTheOrganIsFollowed() {
   auto* choice = box.findChild<QComboBox*>(QStringLiteral("rival"));
   choice->setCurrentIndex(1);
   emit choice->activated(1);
-  const auto* use = task(box, "choose_rival")->button();
-  QVERIFY(use->isEnabled());
-  post(engine::StartTracking{});
-  QVERIFY(!use->isEnabled());
-  QVERIFY(words_on(*task(box, "choose_rival")).contains(ui::RivalPictures::tracking_words()));
-  post(engine::StopTracking{});
-  QVERIFY(use->isEnabled());
+  for (const char* name : {"choose_rival", "register"}) {
+    const auto* use = task(box, name)->button();
+    QVERIFY(use->isEnabled());
+    post(engine::StartTracking{});
+    QVERIFY2(!use->isEnabled(), name);
+    QVERIFY(words_on(*task(box, name)).contains(QStringLiteral("stop tracking first")));
+    post(engine::StopTracking{});
+    QVERIFY(use->isEnabled());
+  }
 }
 
 void GuidanceBoxesTest::TheFormerRegistrationIsOneClickAway() {

@@ -60,8 +60,7 @@ void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
   has_former = engine::has_former_registration(now);
-  is_followed = engine_.snapshot()->tracking;
-  can_undo = has_former && !is_followed;
+  can_undo = has_former && !engine_.snapshot()->tracking;
   const bool is_new = now[part::registration] != source_;
   source_ = now[part::registration];
   if (is_new) shown_rival = -1;

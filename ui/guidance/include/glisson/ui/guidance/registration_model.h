@@ -36,7 +36,6 @@ class RegistrationModel : public QObject {
   QProperty<QString> notes;       ///< what else was noted when it was made, a line each
   QProperty<bool> is_refused;     ///< and nobody has accepted it
   QProperty<bool> holds{false};   ///< it is there, up to date and not refused: so is what it says of errors
-  QProperty<bool> is_followed{false};    ///< the organ, from the place that it has now
   QProperty<bool> is_being_made{false};  ///< another one: what is decided now would be decided about that
   QProperty<QString>
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
