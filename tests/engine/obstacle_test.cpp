@@ -16,6 +16,7 @@
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/commands/undo_registration.h"
+#include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/frame.h"
