@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLabel>
+#include <QLayout>
 #include <QProperty>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -127,6 +128,8 @@ void GuidanceBoxesTest::WhatRegisteringNotesIsShown() {
   QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
   QVERIFY(!model.is_refused);
   QCOMPARE(notes->text(), ui::notes_text(operation_->more_notes));  // they hold still
+  const ui::RegistrationModel later(*engine_);  // has not seen it made, as where the case is opened again
+  QCOMPARE(later.notes.value(), ui::notes_text(operation_->more_notes));
   operation_->more_notes.clear();
   post(engine::Register{});
   QVERIFY(notes->isHidden());

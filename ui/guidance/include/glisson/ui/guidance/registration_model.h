@@ -63,7 +63,6 @@ class RegistrationModel : public QObject {
   static QString termination_words(const Registration& registration);
   void read_case();
   void read_tasks();
-  void read_outcome(const engine::Outcome& outcome);
   void read_rivals(const Registration& registration);
   void read_spots(const Registration& registration);
   void read_error(const Registration& registration);
@@ -73,7 +72,6 @@ class RegistrationModel : public QObject {
 
   EngineBridge& engine_;
   std::shared_ptr<const Registration> source_;
-  Points noted_;            ///< nodes of the registration that the notes are of, in the camera's frame
   QStringList look_words_;  ///< one a lesion of `looked_for`
   int helped_most_ = -1;    ///< of these; -1: none much
   Couplings couplings_;
