@@ -11706,6 +11706,10 @@
         <source>The recording is being brought to its end.</source>
         <translation>Die Aufnahme wird abgeschlossen.</translation>
     </message>
+    <message>
+        <source>Frames in which the picture before stays, as none came in time: %1</source>
+        <translation>Bilder, in denen das vorige stehen bleibt, weil keines rechtzeitig kam: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegionBox</name>

@@ -11706,6 +11706,10 @@
         <source>The recording is being brought to its end.</source>
         <translation>L&apos;enregistrement est en cours de finalisation.</translation>
     </message>
+    <message>
+        <source>Frames in which the picture before stays, as none came in time: %1</source>
+        <translation>Images où la précédente reste, aucune n&apos;étant arrivée à temps : %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegionBox</name>
