@@ -5915,6 +5915,14 @@
         <source>Free some memory</source>
         <translation>Geben Sie Arbeitsspeicher frei</translation>
     </message>
+    <message>
+        <source>is what the organ is followed from just now</source>
+        <translation>ist die, von der aus das Organ gerade verfolgt wird</translation>
+    </message>
+    <message>
+        <source>Stop tracking first</source>
+        <translation>Beenden Sie zuerst die Verfolgung</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6942,6 +6950,10 @@
     <message>
         <source>No moment of the live view is kept (Guidance).</source>
         <translation>Kein Moment der Live-Ansicht ist aufgehoben (Navigation).</translation>
+    </message>
+    <message>
+        <source>The organ is followed from the place it has now: stop tracking first.</source>
+        <translation>Das Organ wird von seinem jetzigen Ort aus verfolgt: Beenden Sie zuerst die Verfolgung.</translation>
     </message>
 </context>
 <context>
@@ -11391,13 +11403,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::PlacingModel</name>
-    <message>
-        <source>Stop the tracking first.</source>
-        <translation>Beenden Sie zuerst die Verfolgung.</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::PlaybackBox</name>
     <message>
         <source>Start tracking</source>
@@ -11709,6 +11714,10 @@
         <source>The recording is being brought to its end.</source>
         <translation>Die Aufnahme wird abgeschlossen.</translation>
     </message>
+    <message>
+        <source>Frames in which the picture before stays, as none came in time: %1</source>
+        <translation>Bilder, in denen das vorige stehen bleibt, weil keines rechtzeitig kam: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegionBox</name>
@@ -11988,10 +11997,6 @@
     <message>
         <source>A place is being taken.</source>
         <translation>Ein Ort wird gerade übernommen.</translation>
-    </message>
-    <message>
-        <source>The organ is followed from the place it has now: stop tracking first.</source>
-        <translation>Das Organ wird von seinem jetzigen Ort aus verfolgt: Beenden Sie zuerst die Verfolgung.</translation>
     </message>
 </context>
 <context>

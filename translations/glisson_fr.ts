@@ -5915,6 +5915,14 @@
         <source>Free some memory</source>
         <translation>Libérez de la mémoire</translation>
     </message>
+    <message>
+        <source>is what the organ is followed from just now</source>
+        <translation>est celui depuis lequel l&apos;organe est suivi en ce moment</translation>
+    </message>
+    <message>
+        <source>Stop tracking first</source>
+        <translation>Arrêtez d&apos;abord le suivi</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6942,6 +6950,10 @@
     <message>
         <source>No moment of the live view is kept (Guidance).</source>
         <translation>Aucun instant de la vue en direct n&apos;est conservé (Guidage).</translation>
+    </message>
+    <message>
+        <source>The organ is followed from the place it has now: stop tracking first.</source>
+        <translation>L&apos;organe est suivi depuis sa position actuelle : arrêtez d&apos;abord le suivi.</translation>
     </message>
 </context>
 <context>
@@ -11391,13 +11403,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::PlacingModel</name>
-    <message>
-        <source>Stop the tracking first.</source>
-        <translation>Arrêtez d’abord le suivi.</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::PlaybackBox</name>
     <message>
         <source>Start tracking</source>
@@ -11709,6 +11714,10 @@
         <source>The recording is being brought to its end.</source>
         <translation>L&apos;enregistrement est en cours de finalisation.</translation>
     </message>
+    <message>
+        <source>Frames in which the picture before stays, as none came in time: %1</source>
+        <translation>Images où la précédente reste, aucune n&apos;étant arrivée à temps : %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegionBox</name>
@@ -11988,10 +11997,6 @@
     <message>
         <source>A place is being taken.</source>
         <translation>Une position est en train d&apos;être prise.</translation>
-    </message>
-    <message>
-        <source>The organ is followed from the place it has now: stop tracking first.</source>
-        <translation>L&apos;organe est suivi depuis sa position actuelle : arrêtez d&apos;abord le suivi.</translation>
     </message>
 </context>
 <context>

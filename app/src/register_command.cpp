@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the cloud to the registered model.
-#include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli.h"
 #include "commands.h"
@@ -18,7 +19,6 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/registration_report.h"
-#include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/ui/common/texts.h"
@@ -128,27 +128,20 @@ std::optional<int> rival_of(const Arguments& arguments) {
   return arguments.integer("rival", 1, 99);
 }
 
-/// Notes on the registration, which another is to take the place of; that one tells its own.
-void take_back(Session& session, const std::vector<std::string>& told) {
-  std::erase_if(session.notes, [&](const std::string& note) {
-    return std::find(told.begin(), told.end(), note) != told.end();
-  });
-}
-
-/// Registers, and takes another place or what is in doubt where that is asked for.
+/// Registers, and takes another place or what is in doubt where that is asked for. What is told is of the
+/// registration that is taken: it repeats what holds of the former one.
 void register_as_told(const Arguments& arguments, Session& session, const engine::Register& command,
                       std::optional<int> rival) {
-  const Figures before = session.figures;
+  const Figures figures = session.figures;
+  const std::vector<std::string> notes = session.notes;
   session.post(command);
   if (rival) {
-    session.figures = before;  // what is told is of the place that is taken
-    const Registration& other = *session.state()[part::registration];
-    take_back(session, other.doubts);
-    take_back(session, registration::look_notes(session.state()[part::model]->model, other));
+    session.figures = figures;
+    session.notes = notes;
     session.post(engine::ChooseRival{static_cast<std::size_t>(*rival - 1)});
   }
   if (!arguments.has("accept-doubts")) return;
-  take_back(session, session.state()[part::registration]->doubts);
+  session.notes = notes;
   session.post(engine::AcceptRegistration{});
 }
 

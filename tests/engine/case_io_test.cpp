@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "complaint.h"
 #include "full_disk.h"
@@ -43,6 +44,7 @@ class CaseIoTest : public QObject {
   void AnImportedMeshHasNoFiguresOfAnOrgan();
   void ALiveDeviceIsNoFile();
   void SavingAgainReplacesTheCase();
+  void CheckingAndReadingTellHowFarTheyAre();
   void ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne();
   void ADiskThatFillsUpLeavesTheOldCase();
   void ACancelledSaveLeavesTheOldCase();
@@ -145,6 +147,23 @@ void CaseIoTest::SavingAgainReplacesTheCase() {
   int entries = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path())) ++entries;
   QCOMPARE(entries, 1);  // nothing was left beside it
+}
+
+void CaseIoTest::CheckingAndReadingTellHowFarTheyAre() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  double last = 0.0;
+  std::set<double> checked;
+  const auto told = [&](double fraction, std::string_view stage) {
+    QVERIFY2(fraction >= last, std::string(stage).c_str());
+    last = fraction;
+    if (stage == "case.verify") checked.insert(fraction);
+  };
+  QVERIFY(save_case(path, small_case(), RunContext(told, nullptr, 1)));
+  QVERIFY(checked.size() > 4);
+  last = 0.0;
+  QVERIFY(open_case(path, RunContext(told, nullptr, 1)));
+  QVERIFY(last > 0.6);
 }
 
 void CaseIoTest::ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne() {

@@ -204,6 +204,12 @@ void CaseStereoTest::ACalibrationOfWholeViewsFitsACroppedSource() {
     QVERIFY(std::abs(state[part::rig]->left.matrix(0, 2) - (whole.left.matrix(0, 2) - 40.0)) < 1e-3);
     QVERIFY(std::abs(state[part::rig]->right.matrix(1, 2) - (whole.right.matrix(1, 2) - 20.0)) < 1e-3);
   }
+  // The source is not opened once more for it: a camera would be in use.
+  const auto maker = engine();
+  after(*maker, {SetVideo{folder_.path() / "cropped.json", {}}, LoadVideoFrame{0}});
+  fs::remove(folder_.path() / "film.mkv");
+  const CaseState state = after(*maker, {SetCalibration{folder_.path() / "scope.yaml"}});
+  QCOMPARE(state[part::rig]->left.width, 320);
 }
 
 void CaseStereoTest::PairAndCalibrationOfAnotherSizeComeInEitherOrder() {

@@ -50,6 +50,8 @@ class EngineTest : public QObject {
   void AnEditMarksOnlyWhatFollowsFromIt();
   void FramesAreIgnoredUnlessTracking_data() { both_runners(); }
   void FramesAreIgnoredUnlessTracking();
+  void AStartThatFailsLeavesWhatIsFollowed_data() { both_runners(); }
+  void AStartThatFailsLeavesWhatIsFollowed();
   void AStaleOverlayIsNeverValid_data() { both_runners(); }
   void AStaleOverlayIsNeverValid();
   void AFollowerThatThrowsGivesAnInvalidFrame_data() { both_runners(); }
@@ -190,6 +192,27 @@ void EngineTest::FramesAreIgnoredUnlessTracking() {
   engine.submit_frame(numbered(3));
   engine.wait_for_frames();
   QVERIFY(engine.snapshot()->state[part::live] == nullptr);
+}
+
+void EngineTest::AStartThatFailsLeavesWhatIsFollowed() {
+  QFETCH(Runner, runner);
+  bool fails = false;
+  Engine::Options made = options(runner);
+  made.make_follower = [&fails](const CaseState&, const StartTracking&) {
+    if (fails) throw InputError("video", "source", "cannot be opened", "Choose another");
+    return std::make_unique<CountingFollower>();
+  };
+  Engine engine(std::move(made));
+  engine.wait(engine.post(StartTracking{}));
+  engine.submit_frame(numbered(1));
+  engine.wait_for_frames();
+  fails = true;
+  QCOMPARE(engine.wait(engine.post(StartTracking{})).status, Status::failed);
+  QVERIFY(engine.snapshot()->tracking);
+  engine.submit_frame(numbered(2));
+  engine.wait_for_frames();
+  QCOMPARE(engine.snapshot()->state[part::live]->overlay.index, 2);
+  QCOMPARE(engine.snapshot()->state[part::live]->frames, 2);
 }
 
 void EngineTest::AStaleOverlayIsNeverValid() {

@@ -8,16 +8,24 @@
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/export_surfaces.h"
+#include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/reconstruct.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/register_again.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/take_registration.h"
+#include "glisson/engine/commands/undo_registration.h"
+#include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
@@ -69,6 +77,7 @@ class ObstacleTest : public QObject {
   void BeingOutOfDateIsFollowedToWhereItBegins();
   void WhatIsRefusedIsInTheWayUntilSomebodyAcceptsIt();
   void TheVideoIsNeededWhereItIsFollowed();
+  void BelowARunningOverlayNoOtherRegistrationIsPut();
   void OneOfTwoPartsIsEnoughWhereEitherDoes();
   void ErrorsNamePartAndRemedy();
 };
@@ -152,6 +161,28 @@ void ObstacleTest::TheVideoIsNeededWhereItIsFollowed() {
   command.source = StartTracking::Source::frames;
   state.stamp(part::frame).made_from.clear();  // from another source
   QVERIFY(!obstacle(state, command));
+}
+
+void ObstacleTest::BelowARunningOverlayNoOtherRegistrationIsPut() {
+  CaseState state = registered_case();
+  state[part::former_registration] = std::make_shared<FormerRegistration>();
+  state[part::other_registration] = std::make_shared<OtherRegistration>();
+  const std::vector<Command> others = {Register{}, ChooseRival{}, UndoRegistration{}, ImportRegistration{}};
+  for (const Command& other : others) QVERIFY(!obstacle(state, other));
+  state[part::live] = std::make_shared<LiveState>();
+  for (const Command& other : others) {
+    const auto first = obstacle(state, other);
+    QVERIFY2(first == (Obstacle{Kind::followed, part::registration, std::nullopt}), other.code().data());
+  }
+  const std::string sentence = error_of(*obstacle(state, Register{})).what();
+  QVERIFY2(sentence.find("Stop tracking first") != std::string::npos, sentence.c_str());
+  QVERIFY_THROWS_EXCEPTION(InputError, engine::apply(state, Register{}, RunContext()));
+  // What the follower learns of goes on.
+  QVERIFY(!obstacle(state, RegisterAgain{}));
+  QVERIFY(!obstacle(state, TakeRegistration{}));
+  // Of two reasons, the one that stays when tracking has ended.
+  state[part::cloud] = nullptr;
+  QCOMPARE(obstacle(state, Register{})->kind, Kind::missing);
 }
 
 /// Surfaces are written of the labels or of a model, whichever there is.

@@ -98,8 +98,12 @@ void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
   const auto best = registration::best_look(registration.looks[0]);
   QVERIFY(best.has_value());
   QCOMPARE(applied->figures.at("lesion_1_expected_error_after_look_mm"), 1e3 * best->after);
-  QVERIFY(std::any_of(applied->notes.begin(), applied->notes.end(),
-                      [](const std::string& note) { return note.starts_with("look."); }));
+  const auto tells_of_looks = [](const std::vector<std::string>& notes) {
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const std::string& note) { return note.starts_with("look."); });
+  };
+  QVERIFY(tells_of_looks(applied->notes));
+  QVERIFY(tells_of_looks(registration.notes));  // told with the registration, however long it is kept
 }
 
 void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
@@ -149,8 +153,14 @@ void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
   CaseState done = after(phantom_case(), register_on_few());
   auto told = std::make_shared<Registration>(*done[part::registration]);
   told->rivals = {{told->nodes_in_camera.rowwise() + Eigen::RowVector3d(0.02, 0, 0), 0.1}};
+  told->notes = {"landmarks.not_reviewed", "look.notch lesion_1 6.0 3.0"};
   done[part::registration] = told;
-  const CaseState taken = apply(done, ChooseRival{0}, RunContext()).value().state;
+  const Applied applied = apply(done, ChooseRival{0}, RunContext()).value();
+  const CaseState& taken = applied.state;
+  // What holds of this place, too, is told again; where a look would help is another matter here.
+  QCOMPARE(taken[part::registration]->notes, std::vector<std::string>{"landmarks.not_reviewed"});
+  QCOMPARE(applied.notes.back(), std::string("landmarks.not_reviewed"));
+  QCOMPARE(applied.notes.size(), taken[part::registration]->doubts.size() + 1);
   QVERIFY(taken[part::registration]->nodes_in_camera == told->rivals[0].nodes_in_camera);
   QVERIFY(taken[part::registration]->residual > told->residual);
   const CaseState back = apply(taken, ChooseRival{0}, RunContext()).value().state;

@@ -27,6 +27,7 @@ class RegistrationFileTest : public QObject {
   void ARegistrationOfAnotherModelIsRefused();
   void ARegistrationThatTurnsAnElementInsideOutIsKept();
   void ARegistrationsDoubtsTravelWithItsFile();
+  void WhatWasNotedOfARegistrationStaysInItsCase();
   void WhereARegistrationMayBeWrongTravelsWithItsFile();
   void ARigidPartIsReadHoweverItsNumbersStand();
   void WhatIsNoErrorAndNoProbabilityIsRefused();
@@ -105,6 +106,18 @@ void RegistrationFileTest::ARegistrationsDoubtsTravelWithItsFile() {
     QVERIFY(is.covariance.isApprox(was.covariance, 1e-9));
   }
   QVERIFY(read.covariances.isApprox(doubted.covariances, 1e-9));
+}
+
+void RegistrationFileTest::WhatWasNotedOfARegistrationStaysInItsCase() {
+  const TemporaryFolder folder;
+  CaseState state = small_case();
+  Registration noted = *state[part::registration];
+  noted.notes = {"landmarks.not_reviewed", "look.surface lesion_1 left_front 6.0 3.0"};
+  state[part::registration] = std::make_shared<const Registration>(noted);
+  QVERIFY(save_case(folder.path() / "a.glisson", state, RunContext()));
+  const auto opened = open_case(folder.path() / "a.glisson", RunContext());
+  QCOMPARE((*opened)[part::registration]->notes, noted.notes);
+  QCOMPARE((*opened)[part::registration]->doubts, noted.doubts);
 }
 
 void RegistrationFileTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {

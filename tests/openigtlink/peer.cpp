@@ -7,7 +7,8 @@
 //   whom each is told by a line "client": pictures
 //     (frame i: pixel (x, y) is (x + i, y, 200) in red, green, blue, 7 more in the right one; time 1000 + i /
 //     25) and the pose of a tool. KIND: good, grey, skewed, lagging (the right view one frame behind),
-//     damaged, lying, endless, silent, noise, nan, brief
+//     fast (time 1000 + i / 60, every third left view is lost), damaged, lying, endless, silent, noise, nan,
+//     brief
 #include <igtlClientSocket.h>
 #include <igtlImageMessage.h>
 #include <igtlMessageHeader.h>
@@ -192,7 +193,7 @@ bool send(igtl::Socket* socket, igtl::MessageBase* message) {
 
 /// One frame's messages. @return false: the other end has gone, or it is over.
 bool send_frame(igtl::Socket* socket, const std::string& kind, int frame) {
-  const double seconds = 1000.0 + frame / 25.0;
+  const double seconds = 1000.0 + frame / (kind == "fast" ? 60.0 : 25.0);
   const int components = kind == "grey" ? 1 : 3;
   auto left = picture("Left", frame, 0, seconds, components);
   if (kind == "lagging") {
@@ -201,6 +202,7 @@ bool send_frame(igtl::Socket* socket, const std::string& kind, int frame) {
   }
   auto right = picture("Right", frame, 7, seconds + (kind == "skewed" ? 0.5 : 0.004), components);
   if (kind == "silent") return true;
+  if (kind == "fast") return (frame % 3 == 0 || send(socket, left)) && send(socket, right);
   if (kind == "noise") return send(socket, std::string(5000, 'x'));
   if (kind == "damaged") static_cast<char*>(left->GetPackBodyPointer())[500] ^= 1;
   if (kind == "endless") {  // a header of 99 MB, and nothing behind it

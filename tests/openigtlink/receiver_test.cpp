@@ -44,6 +44,7 @@ class ReceiverTest : public QObject {
  private slots:
   void PicturesOfAMomentComeAsAPair_data();
   void PicturesOfAMomentComeAsAPair();
+  void OfALostViewNoNeighbourTakesThePlace();
   void GreyPicturesComeAsTheyAre();
   void ToolComesInMetres();
   void NewestPairWins();
@@ -85,6 +86,20 @@ void ReceiverTest::PicturesOfAMomentComeAsAPair() {
       QCOMPARE(pixel(pair->right, x, y, 1), y + 7);
       QCOMPARE(pixel(pair->right, x, y, 2), (x + frame + 7) % 256);
     }
+  }
+}
+
+/// At 60 frames a second the next moment is 17 ms away.
+void ReceiverTest::OfALostViewNoNeighbourTakesThePlace() {
+  const Server server("fast");
+  Receiver receiver(server.options);
+  for (int turn = 0; turn < 12; ++turn) {
+    const auto pair = receiver.next_pair(RunContext());
+    QVERIFY(pair);
+    const int frame = static_cast<int>(std::lround((pair->seconds - 1000.0) * 60.0));
+    QVERIFY(frame % 3 != 0);
+    QCOMPARE(static_cast<int>((*pair->left.bytes)[2]), frame % 256);
+    QCOMPARE(static_cast<int>((*pair->right.bytes)[2]), (frame + 7) % 256);
   }
 }
 

@@ -4,8 +4,11 @@
 #include <sys/stat.h>
 
 #include <QTest>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <future>
 #include <thread>
 
 #include "glisson/core/error.h"
@@ -332,6 +335,32 @@ class SourceTest : public QObject {
     QVERIFY2(frames > 5 && frames < kFrames, std::to_string(frames).c_str());
     StereoFrame frame;
     QVERIFY(!video.read(frame));  // and stays unplugged
+  }
+
+  /// A camera that hangs keeps its driver: nobody else has to wait for that.
+  void ADeadCameraIsLetGo() {
+    film("start.mkv", 128, 48, 40, [](int i, int x, int y) { return shade(x / 64, i, x % 64, y); });
+    const std::string content = read_file(at("start.mkv"));
+    QCOMPARE(::mkfifo(at("dead").c_str(), 0600), 0);
+    const auto cancel = std::make_shared<CancelFlag>();
+    std::promise<void> let_go;
+    std::atomic<bool> gave_up{false};
+    std::jthread camera([&] {
+      std::ofstream pipe(at("dead"), std::ios::binary);
+      pipe.write(content.data(), static_cast<std::streamsize>(content.size() * 3 / 5));
+      pipe.flush();
+      cancel->request();
+      // Dead from here on, but not unplugged. Whoever waits for it waits for long, not for ever.
+      gave_up = let_go.get_future().wait_for(std::chrono::seconds(20)) == std::future_status::timeout;
+    });
+    const auto video = StereoVideo::open("device:" + at("dead"), {}, RunContext({}, cancel, 1));
+    StereoFrame frame;
+    while (video && (*video)->read(frame)) {
+    }
+    QVERIFY(!video || !(*video)->read(frame));
+    let_go.set_value();
+    camera.join();
+    QVERIFY(!gave_up);
   }
 
   void TwoDevicesHaveOneClock() {

@@ -397,6 +397,7 @@ bool FakeOperation::change(engine::Applied& applied, const engine::Register&,
   if (rival_away > 0.0)
     registration.rivals = {
         {registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(rival_away, 0, 0), 0.12}};
+  registration.notes = more_notes;
   applied.notes = doubts;
   applied.notes.insert(applied.notes.end(), more_notes.begin(), more_notes.end());
   engine::keep_former_registration(applied.state, engine::CaseState(applied.state));

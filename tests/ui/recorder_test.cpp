@@ -111,6 +111,11 @@ void RecorderTest::OverlayRawAndBoth() {
   const ui::RecordingEnd end = heard.ended.get_future().get();
   QVERIFY2(end.error.isEmpty(), qPrintable(end.error));
   QVERIFY(end.frames == 5 && end.left_out == 0);
+  // Each frame has its line, or shows the picture before; the record counts its lines.
+  const fs::path record = Recorder::lines_path(at(file.c_str()));
+  const int lines = static_cast<int>(read_overlay_record(record).frames.size());
+  QVERIFY(lines == 3 && end.repeated == 2);
+  QVERIFY(read_file(record).find("\"frames\":3}") != std::string::npos);
   QCOMPARE(fs::exists(Recorder::raw_path(at(file.c_str()))), raw_beside);
   const bool is_raw = static_cast<Recorded>(what) == Recorded::raw;
   const auto check = [&](const fs::path& path, bool raw) {

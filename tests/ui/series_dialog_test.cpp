@@ -49,6 +49,7 @@ class SeriesDialogTest : public QObject {
   Q_OBJECT
  private slots:
   void RowsSayWhatASeriesIs();
+  void WhereNoSeriesSaysItsPhaseThereIsNoColumnForIt();
   void TheFirstThatCanBeReadIsChosen();
   void APatientIsSaidOnceOrInEachRow();
   void PicturesHaveThePatientsProportions();
@@ -74,6 +75,14 @@ void SeriesDialogTest::RowsSayWhatASeriesIs() {
   QCOMPARE(list->topLevelItem(3)->text(5), ui::doubt_text(SeriesDoubt::no_image));
   for (int doubt = 0; doubt <= static_cast<int>(SeriesDoubt::no_image); ++doubt)
     QVERIFY(!ui::doubt_text(static_cast<SeriesDoubt>(doubt)).isEmpty());
+}
+
+void SeriesDialogTest::WhereNoSeriesSaysItsPhaseThereIsNoColumnForIt() {
+  const ui::SeriesDialog unsaid({series_called("abdomen 2 mm", "1.1"), series_called("", "1.2")});
+  QVERIFY(unsaid.findChild<QTreeWidget*>()->isColumnHidden(1));
+  // In the description alone is enough.
+  const ui::SeriesDialog said({series_called("abdomen portal venous", "1.1"), series_called("", "1.2")});
+  QVERIFY(!said.findChild<QTreeWidget*>()->isColumnHidden(1));
 }
 
 void SeriesDialogTest::TheFirstThatCanBeReadIsChosen() {

@@ -52,6 +52,7 @@ class WindowTest : public QObject, private OperatedWindow {
   void WhatIsOddAboutAFileIsTold();
   void UnsavedChangesAreNotLostUnasked();
   void CancelLeavesTheCaseAsItWas();
+  void TheKeyThatBeginsWorkDoesNotCancelIt();
   void EditMakesLaterStepsStale();
   void RefusedRegistrationDoesNotLookDone();
   void LiveViewPlaysShowsAgeAndRecords();
@@ -202,6 +203,32 @@ void WindowTest::CancelLeavesTheCaseAsItWas() {
   press("segment");
   QVERIFY(settle());
   QVERIFY(window_->engine().state()[part::labels] != nullptr);
+}
+
+/// Qt hands the keyboard on from what cannot be pressed any more, and Cancel is the next in the row.
+void WindowTest::TheKeyThatBeginsWorkDoesNotCancelIt() {
+  open_ct();
+  segmentation::Seeds seeds;
+  ui::add_seed(seeds, structure::kParenchyma, {0, 0, 0});
+  window_->engine().post(engine::SetSeeds{seeds});
+  QVERIFY(settle());
+  press("segment");
+  QVERIFY(settle());  // it has room below itself from now on, in which Cancel comes
+  operation_->hold = true;
+  QApplication::setActiveWindow(window_.get());
+  ui::TaskButton* segment = task("segment");
+  segment->button()->setFocus();
+  QTRY_VERIFY(segment->button()->hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  QTRY_VERIFY(segment->cancel_button()->isVisible());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);  // the same hand once more
+  QVERIFY(!segment->cancel_button()->hasFocus() && segment->cancel_button()->isEnabled());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);  // who means it gets there
+  QVERIFY(segment->cancel_button()->hasFocus());
+  operation_->hold = false;
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state()[part::labels] != nullptr);
+  QVERIFY(segment->button()->hasFocus());
 }
 
 void WindowTest::EditMakesLaterStepsStale() {

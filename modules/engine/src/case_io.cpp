@@ -89,10 +89,16 @@ std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state
 Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
                                  std::vector<std::string>* lost, const std::shared_ptr<const Image>& known);
 
-/// Compares what was written with what was to be. @param taken_over the image's file is that of an earlier
-/// case: it was read back then, and its sum is still that. @throws FileError.
-void verify(const fs::path& folder, const fs::path& home, const CaseState& state, bool taken_over) {
-  const auto read = read_case(folder, home, RunContext(), nullptr, taken_over ? state[part::image] : nullptr);
+/// Compares what was written with what was to be; cannot be cancelled. @param taken_over the image's file is
+/// that of an earlier case: it was read back then, and its sum is still that. @throws FileError.
+void verify(const fs::path& folder, const fs::path& home, const CaseState& state, bool taken_over,
+            const RunContext& context) {
+  const auto checked = [&context](double share, std::string_view) { context.progress(share, "case.verify"); };
+  checked(0.0, {});
+  const RunContext reading(checked, nullptr, context.seed());
+  const auto read =
+      read_case(folder, home, reading.part(0.0, 0.8), nullptr, taken_over ? state[part::image] : nullptr);
+  checked(0.8, {});
   const bool same = read && std::all_of(all_parts().begin(), all_parts().end(), [&](Part part) {
                       const PartSpec& spec = part.type().spec();
                       const bool kept = is_kept(state, part);
@@ -197,8 +203,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   if (!document) return false;
   (*document)["files"] = list_files(fresh);
   write_json(fresh / "case.json", *document);
-  context.progress(0.85, "case.verify");
-  verify(fresh, path, state, taken_over);
+  verify(fresh, path, state, taken_over, context.part(0.85, 0.97));
   flush_tree(fresh);  // takes long; what follows cannot be taken back
   if (context.cancelled()) return false;
   SavedImage now;
@@ -245,13 +250,18 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
                        "Open it with a newer Glisson");
     CaseState state;
     state.path = fs::absolute(given).lexically_normal();
-    const CaseFolder folder{path, home.empty() ? path : home, context, lost};
+    CaseFolder folder{path, home.empty() ? path : home, context, lost};
     const json& parts = document.at("parts");
     double done = 0.0;
     for (const Part part : all_parts()) {
       const auto entry = parts.find(part.code());
       if (entry == parts.end() || !part.type().is_saved()) continue;
-      context.progress(done++ / static_cast<double>(all_parts().size()), "case.read");
+      constexpr double kImageShare = 0.6;  // it takes the longest, and tells how far it is
+      const double begun = done;
+      done += part == Part(part::image) ? kImageShare
+                                        : (1.0 - kImageShare) / static_cast<double>(all_parts().size());
+      folder.context = context.part(begun, done);
+      folder.context.progress(0.0, "case.read");
       if (known && part == Part(part::image))
         state[part::image] = known;
       else

@@ -172,8 +172,6 @@ struct Engine::Impl final : LiveLanes {
       outcome.result = std::move(applied->result);
       settle_live(job->traits(), *applied);
       commit(*job, base, std::move(*applied));
-    } else {
-      end_live(job->traits().live);
     }
     outcome.seconds = watch.seconds();
     std::erase(running, job);
@@ -214,10 +212,6 @@ struct Engine::Impl final : LiveLanes {
   void settle_live(const CommandTraits& traits, const Applied& applied) {
     if (traits.replaces_case()) stop_following();
     if (applied.live) applied.live(*this);
-  }
-  void end_live(LiveLane lane) {
-    if (lane == LiveLane::tracking) stop_following();
-    if (lane == LiveLane::trial) stop_trial();
   }
 
   // LiveLanes; with the lock, on the edits' thread.

@@ -6,6 +6,8 @@
 
 #include "glisson/engine/command.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/registration.h"
 
 namespace glisson::engine {
 namespace {
@@ -55,7 +57,12 @@ bool is_refused(const CaseState& state, Part part) {
 
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command) {
   const CommandTraits& traits = command.traits();
-  return obstacle(state, traits.needs, traits.current, traits.accepted);
+  const auto first = obstacle(state, traits.needs, traits.current, traits.accepted);
+  if (first) return first;
+  // Below a running overlay the registration is changed by the follower's own commands alone.
+  if (state.has(part::live) && traits.writes.has(part::registration) && !traits.writes.has(part::live))
+    return Obstacle{Obstacle::Kind::followed, part::registration, std::nullopt};
+  return std::nullopt;
 }
 
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command) {
@@ -69,6 +76,8 @@ InputError error_of(const Obstacle& obstacle) {
   if (obstacle.kind == Obstacle::Kind::refused)
     return {"case", code, "was refused: what is known contradicts it",
             std::string(obstacle.part.type().spec().refused_remedy)};
+  if (obstacle.kind == Obstacle::Kind::followed)
+    return {"case", code, "is what the organ is followed from just now", "Stop tracking first"};
   const std::string cause =
       obstacle.input ? ": its " + std::string(obstacle.input->code()) + " changed since it was made" : "";
   return {"case", code, "is out of date" + cause, "Make it anew"};

@@ -33,7 +33,8 @@ json write_registration_entry(const CaseFolder& folder, const char* file, const 
           {"steps", registration.steps},
           {"residual_mm", 1e3 * registration.residual},
           {"seen_share", registration.seen_share},
-          {"doubts", registration.doubts}};
+          {"doubts", registration.doubts},
+          {"notes", registration.notes}};
 }
 
 std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& folder, const char* file,
@@ -49,6 +50,7 @@ std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& fo
   registration.residual = 1e-3 * entry.at("residual_mm").get<double>();
   registration.seen_share = entry.value("seen_share", 0.0);  // cases of before have none
   registration.doubts = entry.at("doubts").get<std::vector<std::string>>();
+  registration.notes = entry.value("notes", std::vector<std::string>());  // cases of before have none
   return std::make_shared<const Registration>(std::move(registration));
 }
 
@@ -68,7 +70,7 @@ bool same_registration(const Registration& written, const Registration& read) {
   };
   return same_points(written.nodes_in_camera, read.nodes_in_camera) &&
          written.termination == read.termination && written.doubts == read.doubts &&
-         written.lesions.size() == read.lesions.size() &&
+         written.notes == read.notes && written.lesions.size() == read.lesions.size() &&
          std::all_of(written.lesions.begin(), written.lesions.end(), has_lesion) &&
          std::equal(written.forks.begin(), written.forks.end(), read.forks.begin(), read.forks.end(),
                     same_fork) &&

@@ -125,6 +125,12 @@ Figures figures_of(const Registration& registration) {
   return figures;
 }
 
+std::vector<std::string> told_of(const Registration& registration) {
+  std::vector<std::string> told = registration.doubts;
+  told.insert(told.end(), registration.notes.begin(), registration.notes.end());
+  return told;
+}
+
 Figures figures_of(const registration::ExaminedRegistration& examined) {
   Figures figures = figures_of(examined.registered.registration);
   add_figures(figures, examined.registered);

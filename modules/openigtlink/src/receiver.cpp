@@ -16,6 +16,7 @@
 
 #include "clock.h"
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "incoming.h"
 #include "messages.h"
 #include "socket.h"
@@ -36,6 +37,9 @@ class Waiting {
   /// @return false: it is not newer than the last.
   bool add(View view) {
     if (!views_.empty() && view.seconds <= views_.back().seconds) return false;
+    if (seen_ && view.seconds > *seen_) steps_.push_back(view.seconds - *seen_);
+    if (steps_.size() > kSteps) steps_.erase(steps_.begin());
+    seen_ = view.seconds;
     if (views_.size() == kMost) views_.pop_front();
     views_.push_back(std::move(view));
     return true;
@@ -51,10 +55,18 @@ class Waiting {
     return taken;
   }
   void clear() { views_.clear(); }
+  /// Seconds from one view to the next, whatever single ones were dropped; empty: not known yet.
+  std::optional<double> period() const {
+    if (steps_.empty()) return {};
+    return at_rank(steps_, (steps_.size() - 1) / 2);
+  }
 
  private:
   static constexpr std::size_t kMost = 4;  ///< a picture may have 100 MB
+  static constexpr std::size_t kSteps = 9;
   std::deque<View> views_;
+  std::optional<double> seen_;  ///< when the last one was taken
+  std::vector<double> steps_;   ///< between the last ones, seconds
 };
 
 void require_names(std::string_view text, std::initializer_list<std::string> names, const char* form) {
@@ -99,6 +111,7 @@ ReceiverOptions parse_tool(std::string_view text) {
 struct Receiver::Impl {
   explicit Impl(const ReceiverOptions& given)
       : options(given),
+        allowed(given.largest_skew),
         messages([this](const Head& head) { return wants(head); },
                  [this](const Head& head, std::string_view content) { take(head, content); }) {}
 
@@ -114,6 +127,7 @@ struct Receiver::Impl {
   Clock::time_point tool_came = {}, heard = Clock::now();
   int passed_over = 0, damaged = 0;
   bool has_views = false;  // a picture of either view has come
+  double allowed;          // seconds between the views of a pair
 
   // Of the thread only.
   Messages messages;
@@ -202,15 +216,27 @@ struct Receiver::Impl {
     const bool is_left = head.device == options.left;
     const double seconds = head.seconds > 0.0 ? head.seconds : now();
     if (!picture || !(is_left ? left : right).add({*picture, seconds})) return pass_over();
+    const std::optional<double> skew = skew_now();
     {
       const std::scoped_lock lock(mutex);
       has_views = true;
+      allowed = skew.value_or(allowed);
     }
-    const auto other = (is_left ? right : left).take(seconds, options.largest_skew);
+    if (!skew) return;
+    const auto other = (is_left ? right : left).take(seconds, *skew);
     if (!other) return;
     (is_left ? left : right).clear();  // it was the newest of its side
     View view{std::move(*picture), seconds};
     is_left ? make_pair(view, *other) : make_pair(*other, view);
+  }
+
+  /// A view within half a period of another is of its moment; one farther away may be a neighbour's. Empty:
+  /// the period is not known before the second view of a side.
+  std::optional<double> skew_now() const {
+    std::optional<double> period = left.period();
+    if (const auto other = right.period(); other && (!period || *other < *period)) period = other;
+    if (!period) return {};
+    return std::min(options.largest_skew, 0.5 * *period);
   }
 
   void take_tool(const Head& head, std::string_view content) {
@@ -248,8 +274,7 @@ struct Receiver::Impl {
     if (connection == Connection::waiting) return no_answer();
     if (has_views)
       return {options.address.text(), names,
-              "send no pairs within " + std::to_string(std::lround(1e3 * options.largest_skew)) +
-                  " ms of each other",
+              "send no pairs within " + std::to_string(std::lround(1e3 * allowed)) + " ms of each other",
               "Record both views at once, from one trigger"};
     return {options.address.text(), names, "send no pictures of 8 bits that can be used",
             "Check the names of the two devices, and that they are on"};

@@ -75,7 +75,8 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
                          std::to_string(which + 1),
                      "Choose one of those that it tells");
   Registration chosen = registration;
-  chosen.looks.clear();  // of the former place
+  chosen.looks.clear();  // of the former place, as what is noted of them
+  std::erase_if(chosen.notes, [](const std::string& note) { return note.starts_with("look."); });
   double own = 1.0;
   for (const RegistrationRival& rival : registration.rivals) own -= rival.probability;
   RegistrationRival& place = chosen.rivals[which];

@@ -304,9 +304,12 @@ void unite(Mask& mask, const Mask& more) {
 Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double spacing_mm,
                                 const Structures& anew, const Kept* kept, const RunContext& context,
                                 const ShowContour& show) {
-  context.progress(0.0, "segmentation.prepare");
+  const auto prepared = [&context](double share) { context.progress(share, "segmentation.prepare"); };
+  prepared(0.0);
   Field ct = resampled(image, {Eigen::Vector3i::Zero(), image.grid.size}, std::max(kCoarse, spacing_mm));
+  prepared(0.03);
   denoise(ct);
+  prepared(0.05);
   if (context.cancelled()) return std::nullopt;
 
   Bodies bodies;
@@ -333,12 +336,14 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
     if (anew.lesions && !add_lesions(image, seeds, bodies, context)) return std::nullopt;
     return bodies;
   }
+  prepared(0.06);
   Mask likely = ct.empty_mask();
   if (anew.lesions && !guess_lesions(image, seeds, bodies, ct, context, tumours, likely)) return std::nullopt;
 
   const bool fine = spacing_mm < kCoarse;
   Mask barred = bodies.cava;
   unite(barred, bodies.gallbladder);
+  prepared(0.08);
   const auto view = parting_view(image, seeds, context);
   if (!view) return std::nullopt;
   auto contour = find_liver(ct, *view, clicks, barred, tumours, context.part(0.1, fine ? 0.4 : 0.7), show);

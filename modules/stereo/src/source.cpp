@@ -158,14 +158,19 @@ void write_source(const fs::path& path, const SourceOptions& options) {
   for (const std::string& source : {options.left, options.right}) remember_source(source);
 }
 
+bool leaves(const Cut& cut, int width, int height) {
+  if (width <= 0 || height <= 0) return true;
+  const Crop& crop = cut.crop;
+  return width == (crop.width > 0 ? crop.width : cut.whole_width - crop.x) &&
+         height == (crop.height > 0 ? crop.height : cut.whole_height - crop.y);
+}
+
 std::optional<Cut> cut_of(const fs::path& video, int width, int height) {
   if (video.extension() != ".json") return {};
   const SourceOptions source = read_entered_source(video);
   if (!source.crop.any()) return {};  // not opened for nothing
-  const StereoVideo views(source);
-  const bool known = width > 0 && height > 0;
-  if (known && (width != views.width() || height != views.height())) return {};
-  return views.cut();
+  const std::optional<Cut> cut = StereoVideo(source).cut();
+  return cut && leaves(*cut, width, height) ? cut : std::nullopt;
 }
 
 StereoRig cropped(const StereoRig& rig, const Crop& crop) {

@@ -72,34 +72,48 @@ int FileStream::count_frames() {
   return count;
 }
 
-DeviceStream::DeviceStream(const std::string& device) {
+struct DeviceStream::Camera {
+  std::unique_ptr<cv::VideoCapture> capture;
+  bool has_grabbed = false;
+  double seconds = 0.0;
+
+  void grab() {
+    try {
+      has_grabbed = capture->grab();
+    } catch (const cv::Exception&) {
+      has_grabbed = false;
+    }
+    // One clock for all devices: times since each was opened would never meet.
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+};
+
+DeviceStream::DeviceStream(const std::string& device, const RunContext& context)
+    : camera_(std::make_shared<Camera>()), context_(context.quiet()) {
   name = device_source(device);
   require_known_scheme(name);
   live = true;
-  capture_ = codecs().camera(device);
-  if (!capture_)
+  const auto open = [camera = camera_, device] { camera->capture = codecs().camera(device); };
+  if (!aside_.run(open, context_)) return;
+  const auto& capture = camera_->capture;
+  if (!capture)
     throw InputError(name, "", "cannot be opened",
                      "Check that the camera is connected, that no other program uses it, and its number");
-  width = static_cast<int>(capture_->get(cv::CAP_PROP_FRAME_WIDTH));
-  height = static_cast<int>(capture_->get(cv::CAP_PROP_FRAME_HEIGHT));
-  rate = capture_->get(cv::CAP_PROP_FPS);
+  width = static_cast<int>(capture->get(cv::CAP_PROP_FRAME_WIDTH));
+  height = static_cast<int>(capture->get(cv::CAP_PROP_FRAME_HEIGHT));
+  rate = capture->get(cv::CAP_PROP_FPS);
   if (!(rate > 0.0) || rate > 1000.0) rate = 30.0;
 }
 
 bool DeviceStream::grab() {
-  try {
-    if (!capture_->grab()) return false;
-  } catch (const cv::Exception&) {
-    return false;
-  }
-  // One clock for all devices: times since each was opened would never meet.
-  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  if (!aside_.run([camera = camera_] { camera->grab(); }, context_) || !camera_->has_grabbed) return false;
+  seconds = camera_->seconds;
   return true;
 }
 
 bool DeviceStream::retrieve(cv::Mat& image) {
   try {
-    return capture_->retrieve(image) && !image.empty();
+    return camera_->capture->retrieve(image) && !image.empty();
   } catch (const cv::Exception&) {
     return false;
   }

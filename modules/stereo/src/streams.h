@@ -7,6 +7,9 @@
 #include <opencv2/videoio.hpp>
 #include <string>
 
+#include "glisson/core/aside.h"
+#include "glisson/core/run_context.h"
+
 namespace glisson::stereo {
 
 /// Pictures one after another, with their times.
@@ -53,14 +56,20 @@ class FileStream : public PictureStream {
 class DeviceStream : public PictureStream {
  public:
   /// @param device a camera's number, or what OpenCV opens by name: a node as /dev/video2, a pipeline of
-  ///   GStreamer. @throws InputError it cannot be opened.
-  explicit DeviceStream(const std::string& device);
+  ///   GStreamer. @param context when it is cancelled, nothing is waited for any more, neither here nor by
+  ///   grab(), which then has nothing: a dead camera keeps its driver for ten seconds and more.
+  /// @throws InputError it cannot be opened.
+  explicit DeviceStream(const std::string& device, const RunContext& context = RunContext());
   bool grab() override;
   bool retrieve(cv::Mat& image) override;
   void rewind() override {}  // what is live has no beginning
 
  private:
-  std::unique_ptr<cv::VideoCapture> capture_;
+  /// Of a call that was let go as much as of this.
+  struct Camera;
+  std::shared_ptr<Camera> camera_;
+  Aside aside_;
+  RunContext context_;
 };
 
 /// Whether two times belong to one pair, and if not, which of them is to be passed over.

@@ -22,12 +22,12 @@ namespace glisson::stereo {
 namespace fs = std::filesystem;
 namespace {
 
-std::unique_ptr<PictureStream> open_stream(const std::string& source) {
+std::unique_ptr<PictureStream> open_stream(const std::string& source, const RunContext& context) {
   if (!is_device(source)) return std::make_unique<FileStream>(source);
   const std::string device = device_of(source);
   if (device.empty())
     throw InputError(source, "", "is no device", "Write device: and its number, as device:0");
-  return std::make_unique<DeviceStream>(device);
+  return std::make_unique<DeviceStream>(device, context);
 }
 
 bool holds_pictures(const std::string& source) {
@@ -79,8 +79,11 @@ std::unique_ptr<Views> open_views(const SourceOptions& options, const RunContext
     return std::make_unique<PictureFolder>(
         separate ? picture_pairs(options.left, options.right) : picture_pairs(options.left),
         options.pictures_per_second);
-  if (separate) return views_of(open_stream(options.left), open_stream(options.right), options.largest_skew);
-  return views_of(open_stream(options.left), options.layout);
+  auto left = open_stream(options.left, context);
+  auto right = separate ? open_stream(options.right, context) : nullptr;
+  if (context.cancelled()) return nullptr;
+  if (separate) return views_of(std::move(left), std::move(right), options.largest_skew);
+  return views_of(std::move(left), options.layout);
 }
 
 SourceOptions options_of(const fs::path& left, const fs::path& right) {

@@ -19,9 +19,12 @@ bool case_differs(const engine::Snapshot& a, const engine::Snapshot& b) {
 }
 
 /// Whether it brings what it is about along, from a file: of several that are given together the next ones
-/// are meant for the case that the first one opens. All else is about what is on screen.
+/// are meant for the case that the first one opens. All else is about what is on screen: so is what is read
+/// by a part of the case, as a frame of its video.
 bool comes_from_a_file(const engine::CommandTraits& traits) {
   if (traits.notice != engine::Notice::files) return false;
+  const auto is_read = [&](const engine::Need& need) { return traits.reads.has(need.part); };
+  if (std::any_of(traits.needs.begin(), traits.needs.end(), is_read)) return false;
   const auto& parts = engine::all_parts();
   return std::any_of(parts.begin(), parts.end(), [&](const engine::Part part) {
     return traits.writes.has(part) && part.type().is_saved();

@@ -60,6 +60,9 @@ class Obstacles {
     return {{"registration",
              tr("The registration was refused: register again, or use it nevertheless (see its doubts).")}};
   }
+  static QString followed() {
+    return tr("The organ is followed from the place it has now: stop tracking first.");
+  }
   /// A part that came after these sentences.
   static QString other_missing() { return tr("There is no %1 yet."); }
   static QString other_stale() { return tr("%1 is out of date: make it anew."); }
@@ -75,6 +78,7 @@ QString obstacle_text(const std::optional<engine::Obstacle>& obstacle) {
     return Obstacles::missing().value(part, Obstacles::other_missing().arg(part));
   if (obstacle->kind == engine::Obstacle::Kind::refused)
     return Obstacles::refused().value(part, Obstacles::other_refused().arg(part));
+  if (obstacle->kind == engine::Obstacle::Kind::followed) return Obstacles::followed();
   return Obstacles::stale().value(part, Obstacles::other_stale().arg(part));
 }
 

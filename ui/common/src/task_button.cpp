@@ -57,6 +57,7 @@ TaskButton::TaskButton(EngineBridge& engine, const QString& text,
   connect(button_, &QPushButton::clicked, this, &TaskButton::start);
   connect(cancel_, &QToolButton::clicked, this, [this] {
     if (running_) engine_.cancel(*running_);
+    if (cancel_->hasFocus()) setFocus();
     cancel_->setEnabled(false);
     stage_->setText(tr("Cancelling…"));
   });
@@ -145,10 +146,15 @@ void TaskButton::show_outcome(const engine::Outcome& outcome) {
 }
 
 void TaskButton::show_state() {
-  progress_row_->setVisible(running_.has_value());
   const QString first = obstacle();
+  const bool is_possible = !running_ && first.isEmpty();
+  // What cannot be pressed hands the keyboard on, and the next in the row is Cancel: one more press of the
+  // key would take back what the first has begun. It waits here until the button is there again.
+  if ((!is_possible && button_->hasFocus()) || (!running_ && cancel_->hasFocus())) setFocus();
+  progress_row_->setVisible(running_.has_value());
   stage_->setVisible(running_.has_value() || !first.isEmpty());
-  button_->setEnabled(!running_ && first.isEmpty());
+  button_->setEnabled(is_possible);
+  if (is_possible && hasFocus()) button_->setFocus();
   if (!running_) stage_->setText(first);
   if (!first.isEmpty()) outcome_->hide();
   // Nothing to say: the layout's gap above it goes with it.

@@ -29,8 +29,7 @@ void PlacingModel::read_case() {
   const engine::CaseState& now = engine_.state();
   auto first = engine::obstacle(*engine_.snapshot(), engine::Register{});
   if (!first) first = engine::obstacle(now, {part::rig, part::frame});  // it is held before the picture
-  QString missing = obstacle_text(first);
-  if (missing.isEmpty() && engine_.snapshot()->tracking) missing = tr("Stop the tracking first.");
+  const QString missing = obstacle_text(first);
   obstacle = missing;
   const bool is_the_same =
       model_ == now[part::model] && frame_ == now[part::frame] && cloud_ == now[part::cloud];

@@ -53,7 +53,7 @@ class Recorder::Reel {
             frame.right.empty() ? frame.left : side_by_side(frame.left, frame.right), place);
     }
     lines_.write(overlay_line(line_of(frame, place.number)) + "\n");
-    has_lines_ = true;
+    ++pictures_;
   }
 
   /// @return frames. @throws Error
@@ -66,6 +66,8 @@ class Recorder::Reel {
     }
     return finish_lines(true);
   }
+  /// Frames that show a picture once more: the next one did not come in time.
+  int repeated() const { return pace_.frames() - pictures_; }
   /// What can be kept after a failure. @return frames.
   int keep() {
     int frames = is_one_whole_ ? pace_.frames() : 0;
@@ -100,8 +102,8 @@ class Recorder::Reel {
     return line;
   }
   int finish_lines(bool whole) {
-    if (!has_lines_) return 0;
-    lines_.write(overlay_record_end(whole, pace_.frames()) + "\n");
+    if (pictures_ == 0) return 0;
+    lines_.write(overlay_record_end(whole, pictures_) + "\n");
     lines_.commit();
     return pace_.frames();
   }
@@ -110,7 +112,8 @@ class Recorder::Reel {
   stereo::FilmPace pace_;
   std::optional<stereo::PacedWriter> overlay_, raw_;
   OutputFile lines_;
-  bool has_lines_ = false, is_one_whole_ = false;
+  int pictures_ = 0;  ///< a line each
+  bool is_one_whole_ = false;
 };
 
 fs::path Recorder::raw_path(const fs::path& path) {
@@ -181,6 +184,7 @@ void Recorder::run() {
     reel.emplace(options_);
     write(*reel);
     end.frames = reel->close();
+    end.repeated = reel->repeated();
   } catch (const std::exception& problem) {
     {
       const std::lock_guard lock(mutex_);

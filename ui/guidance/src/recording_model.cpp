@@ -103,6 +103,9 @@ void RecordingModel::take_end(const RecordingEnd& end) {
 
 void RecordingModel::tell_end(const RecordingEnd& end) {
   QString text = tr("Frames recorded: %1, in %2").arg(end.frames).arg(end.path);
+  if (end.repeated > 0)
+    text += QLatin1Char('\n') +
+            tr("Frames in which the picture before stays, as none came in time: %1").arg(end.repeated);
   if (end.left_out > 0) text += QLatin1Char('\n') + left_out_text(end.left_out);
   if (!end.error.isEmpty()) text = end.error + QLatin1Char('\n') + text;
   if (!lines_.empty()) {

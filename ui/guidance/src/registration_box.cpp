@@ -152,7 +152,6 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
   });
   const auto show_obstacle = [use, &model] {
     use->set_obstacle(model.is_being_made     ? RegistrationModel::wait_words()
-                      : model.is_followed     ? RivalPictures::tracking_words()
                       : model.shown_rival < 0 ? tr("Choose another place above to compare.")
                                               : QString());
   };
@@ -161,7 +160,6 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
     show_obstacle();
   });
   couplings_.add(model.is_being_made, [show_obstacle](bool) { show_obstacle(); });
-  couplings_.add(model.is_followed, [show_obstacle](bool) { show_obstacle(); });
   return rows;
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/former_registration.h"
@@ -22,7 +19,6 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
     : QObject(parent), engine_(engine) {
   connect(&engine_, &EngineBridge::case_changed, this, &RegistrationModel::read_case);
   connect(&engine_, &EngineBridge::tasks_changed, this, &RegistrationModel::read_tasks);
-  connect(&engine_, &EngineBridge::finished, this, &RegistrationModel::read_outcome);
   couplings_.add(shown_look, [this](int) {
     if (source_) read_error(*source_);
   });
@@ -33,25 +29,6 @@ void RegistrationModel::read_tasks() {
   is_being_made = ui::is_being_made(engine_, part::registration, engine::Lane::work);
 }
 
-/// What a file's reading notes is told elsewhere. Of a registration that is accepted, what was noted still
-/// holds.
-void RegistrationModel::read_outcome(const engine::Outcome& outcome) {
-  const bool is_written =
-      outcome.status == engine::Status::done && outcome.traits.writes.has(part::registration);
-  if (!is_written || !source_) return;
-  const bool has_moved =
-      noted_.rows() != source_->nodes_in_camera.rows() || noted_ != source_->nodes_in_camera;
-  if (outcome.traits.lane == engine::Lane::edits && !has_moved) return;
-  noted_ = source_->nodes_in_camera;
-  std::vector<std::string> more;
-  if (outcome.traits.notice == engine::Notice::ordinary)
-    std::copy_if(
-        outcome.notes.begin(), outcome.notes.end(), std::back_inserter(more), [this](const auto& one) {
-          return std::find(source_->doubts.begin(), source_->doubts.end(), one) == source_->doubts.end();
-        });
-  notes = notes_text(more);
-}
-
 QString RegistrationModel::wait_words() {
   return tr("A new registration is being computed: look at it first.");
 }
@@ -60,8 +37,7 @@ void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
   has_former = engine::has_former_registration(now);
-  is_followed = engine_.snapshot()->tracking;
-  can_undo = has_former && !is_followed;
+  can_undo = has_former && !engine_.snapshot()->tracking;
   const bool is_new = now[part::registration] != source_;
   source_ = now[part::registration];
   if (is_new) shown_rival = -1;
@@ -97,6 +73,7 @@ void RegistrationModel::read_case() {
   if (!r.forces.empty()) rows.emplace_back(tr("Places where forces act"), QString::number(r.forces.size()));
   figures = rows;
   doubts = notes_text(r.doubts);
+  notes = notes_text(r.notes);
 }
 
 QString RegistrationModel::termination_words(const Registration& registration) {

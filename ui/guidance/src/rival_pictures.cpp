@@ -123,7 +123,6 @@ RivalPictures::RivalPictures(EngineBridge& engine, RegistrationModel& model, QWi
     show_case();
   });
   couplings_.add(model.is_being_made, [this](bool) { show_case(); });
-  couplings_.add(model.is_followed, [this](bool) { show_case(); });
 }
 
 void RivalPictures::take(std::size_t rival) {
@@ -140,14 +139,9 @@ void RivalPictures::finish(const engine::Outcome& outcome) {
   });
 }
 
-QString RivalPictures::tracking_words() {
-  return tr("The organ is followed from the place it has now: stop tracking first.");
-}
-
 QString RivalPictures::obstacle() const {
   if (taking_) return tr("A place is being taken.");
   if (model_.is_being_made) return RegistrationModel::wait_words();
-  if (model_.is_followed) return tracking_words();
   return obstacle_text(engine::obstacle(engine_.state(), engine::ChooseRival{}));
 }
 

@@ -96,6 +96,10 @@ void SeriesDialog::build() {
   list_->setWordWrap(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   for (std::size_t n = 0; n < series_.size(); ++n) add_row(series_[n], n == 0);
+  bool has_phases = false;
+  for (int row = 0; row < list_->topLevelItemCount(); ++row)
+    has_phases = has_phases || !list_->topLevelItem(row)->text(phase).isEmpty();
+  list_->setColumnHidden(phase, !has_phases);
   list_->header()->setStretchLastSection(true);
   for (const int column : {phase, slices, date}) list_->resizeColumnToContents(column);
   list_->setColumnWidth(name, 330);

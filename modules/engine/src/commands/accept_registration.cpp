@@ -25,7 +25,7 @@ Cancellable<Applied> AcceptRegistration::apply(const CaseState& state, const Run
   Applied applied{state};
   Registration accepted = *state[part::registration];
   registration::accept_refusal(accepted);
-  applied.notes = accepted.doubts;
+  applied.notes = told_of(accepted);
   applied.figures = figures_of(accepted);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(accepted));
   return applied;

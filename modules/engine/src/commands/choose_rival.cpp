@@ -25,7 +25,7 @@ Cancellable<Applied> ChooseRival::apply(const CaseState& state, const RunContext
   Applied applied{state};
   Registration chosen = registration::choose_rival(*state[part::registration], rival,
                                                    state[part::model]->model, *state[part::cloud]);
-  applied.notes = chosen.doubts;
+  applied.notes = told_of(chosen);
   applied.figures = figures_of(chosen);
   keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(chosen));

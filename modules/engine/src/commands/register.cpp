@@ -23,19 +23,18 @@
 namespace glisson::engine {
 namespace {
 
+/// Besides its doubts.
 std::vector<std::string> notes_of(const CaseState& state, const PatientModel& model,
                                   const registration::RegisterOptions& options,
                                   const registration::ExaminedRegistration& examined) {
-  const Registration& registration = examined.registered.registration;
-  std::vector<std::string> notes = registration.doubts;
+  std::vector<std::string> notes = examined.cloud_faults.notes();
   const auto add = [&notes](std::vector<std::string> more) {
     notes.insert(notes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add(examined.cloud_faults.notes());
   for (const Label gone : fem::lesions_not_there(options.tissue, model))
     notes.push_back("tissue.no_lesion " + structure_name(gone));
   add(landmark_notes(state));
-  add(registration::look_notes(model, registration));
+  add(registration::look_notes(model, examined.registered.registration));
   return notes;
 }
 
@@ -57,7 +56,8 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   auto examined = registration::register_model(model, *state[part::cloud], options, context, known);
   if (!examined) return {};
   registration::Registered& made = examined->registered;
-  Applied applied{state, figures_of(*examined), notes_of(state, model, options, *examined)};
+  made.registration.notes = notes_of(state, model, options, *examined);
+  Applied applied{state, figures_of(*examined), told_of(made.registration)};
   if (made.operations && made.operations != known.prior)
     keep_operations(applied.state, registration::operation_of(options, model), context.seed(),
                     std::move(made.operations));

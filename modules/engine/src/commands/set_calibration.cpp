@@ -10,6 +10,17 @@
 #include "glisson/stereo/source.h"
 
 namespace glisson::engine {
+namespace {
+
+/// How pictures of this size were cut out of the video's. A camera that is in use is not opened once more.
+std::optional<stereo::Cut> cut_of(const VideoSource& video, int width, int height) {
+  if (!video.right.empty()) return {};
+  if (!video.cut) return stereo::cut_of(video.left, width, height);
+  return stereo::leaves(*video.cut, width, height) ? video.cut : std::nullopt;
+}
+
+}  // namespace
+
 CommandTraits SetCalibration::traits() const {
   return {.code = "set_calibration",
           .writes = {part::rig},
@@ -22,8 +33,7 @@ Cancellable<Applied> SetCalibration::apply(const CaseState& state, const RunCont
   const auto& frame = state[part::frame];
   const auto& video = state[part::video];
   const int width = frame ? frame->frame.left.width : 0, height = frame ? frame->frame.left.height : 0;
-  std::optional<stereo::Cut> cut;
-  if (video && video->right.empty()) cut = stereo::cut_of(video->left, width, height);
+  const auto cut = video ? cut_of(*video, width, height) : std::nullopt;
   Applied applied{state};
   const auto rig = std::make_shared<const StereoRig>(stereo::read_calibration_for(path, width, height, cut));
   applied.notes = stereo::calibration_doubts(*rig);

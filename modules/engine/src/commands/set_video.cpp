@@ -14,7 +14,7 @@ Cancellable<Applied> SetVideo::apply(const CaseState& state, const RunContext& c
   const auto video = stereo::StereoVideo::open(left, right, context);  // refused here, not at the first frame
   if (!video) return {};
   Applied applied{state};
-  applied.state[part::video] = std::make_shared<const VideoSource>(VideoSource{left, right});
+  applied.state[part::video] = std::make_shared<const VideoSource>(VideoSource{left, right, (*video)->cut()});
   applied.figures["video_frames"] = (*video)->frame_count();
   applied.figures["video_frames_per_second"] = (*video)->frames_per_second();
   return applied;

@@ -6,6 +6,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/registration.h"
+#include "registration_figures.h"
 
 namespace glisson::engine {
 
@@ -25,7 +26,7 @@ Cancellable<Applied> UndoRegistration::apply(const CaseState& state, const RunCo
   Applied applied{state};
   keep_former_registration(applied.state, state);
   applied.state[part::registration] = state[part::former_registration]->registration;
-  applied.notes = applied.state[part::registration]->doubts;
+  applied.notes = told_of(*applied.state[part::registration]);
   return applied;
 }
 

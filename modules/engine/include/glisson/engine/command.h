@@ -27,8 +27,8 @@ namespace glisson::engine {
 
 /// The engine's two threads: short edits (and everything live) on the one, long work on the other.
 enum class Lane { edits, work };
-/// What goes on live that a command starts or stops. Such commands keep their order among themselves, and
-/// when one fails, its lane ends.
+/// What goes on live that a command starts or stops. Such commands keep their order among themselves; where
+/// one fails, what goes on goes on.
 enum class LiveLane { none, tracking, trial };
 /// How far the end of a command concerns the person. `quiet`: a small edit, it passes too quickly to be
 /// announced. `files`: it reads or writes what the person has just named, so that its failure must reach

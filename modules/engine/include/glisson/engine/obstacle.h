@@ -17,7 +17,8 @@ struct Obstacle {
   enum class Kind {
     missing,  ///< `part` is not there
     stale,    ///< `part` is out of date and has to be made anew
-    refused   ///< `part` contradicts what is known, and nobody has accepted it
+    refused,  ///< `part` contradicts what is known, and nobody has accepted it
+    followed  ///< the organ is followed from `part`, which the follower would not learn of: stop first
   };
   Kind kind = Kind::missing;
   Part part;
@@ -32,7 +33,8 @@ struct Obstacle {
 /// the first of `accepted` that stands refused.
 std::optional<Obstacle> obstacle(const CaseState& state, const Needs& needs, const Parts& current = {},
                                  const Parts& accepted = {});
-/// What stands in the way of a command, by its traits.
+/// What stands in the way of a command, by its traits; last, that it would put another registration below
+/// what is followed (CommandTraits::writes has it, but not the live part).
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command);
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command);
 

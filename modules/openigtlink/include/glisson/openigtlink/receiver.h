@@ -23,7 +23,7 @@ struct ReceiverOptions {
   Address address;
   std::string left, right;     ///< devices whose IMAGE messages are the two views
   std::string tool;            ///< device whose TRANSFORM is the tool in the left camera's frame
-  double largest_skew = 0.02;  ///< seconds between the views of a pair
+  double largest_skew = 0.02;  ///< seconds between the views of a pair; half their period where that is less
   double patience = 5.0;       ///< seconds for the server to answer, and from one pair to the next
   /// @throws InputError naming the field.
   void validate() const;

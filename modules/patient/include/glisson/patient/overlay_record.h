@@ -37,7 +37,7 @@ std::optional<Eigen::Matrix4d> pose_of(const PointsIn<CtFrame>& at_rest, const O
 
 /// Without a newline.
 std::string overlay_line(const OverlayLine& line);
-/// The line that says how the track ended.
+/// The line that says how the track ended. @param frames that have a line.
 std::string overlay_record_end(bool complete, int frames);
 
 /// The organ was registered again after a frame.

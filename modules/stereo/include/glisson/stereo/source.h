@@ -67,8 +67,11 @@ struct Cut {
   int whole_width = 0, whole_height = 0;  ///< of a view, pixels
   Crop crop;
 };
-/// How a video's views are cut. Empty: `video` is no source's file (JSON), it cuts nothing, or gives pictures
-/// of another size.
+/// Whether pictures of this size are what a cut leaves. @param width, height pixels; 0: not known, they may
+/// be.
+bool leaves(const Cut& cut, int width, int height);
+/// How a video's views are cut; opens it. Empty: `video` is no source's file (JSON), it cuts nothing, or
+/// gives pictures of another size.
 /// @param width, height of the pictures in question, pixels; 0: not known.
 /// @throws as read_source() and StereoVideo.
 std::optional<Cut> cut_of(const std::filesystem::path& video, int width, int height);

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "glisson/engine/case_state.h"
+#include "glisson/stereo/source.h"
 
 namespace glisson::engine {
 
 /// Where the stereo video of the operation lies.
 struct VideoSource {
   std::filesystem::path left, right;  ///< `right` empty: `left` holds both views side by side
+  /// How its views were cut when a person opened it. Empty: they were not, or it came with a case's files.
+  std::optional<stereo::Cut> cut = {};
 };
 
 namespace part {

@@ -47,6 +47,7 @@ struct RecordedFrame {
 struct RecordingEnd {
   QString path;
   int frames = 0;    ///< of the film, repeated ones included
+  int repeated = 0;  ///< frames that show the picture before once more; beside the film they have no line
   int left_out = 0;  ///< pictures that were shown and not recorded: the writing could not keep up
   QString error;     ///< empty: all is well; else `frames` are there and play
 };

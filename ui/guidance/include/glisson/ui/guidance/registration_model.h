@@ -36,7 +36,6 @@ class RegistrationModel : public QObject {
   QProperty<QString> notes;       ///< what else was noted when it was made, a line each
   QProperty<bool> is_refused;     ///< and nobody has accepted it
   QProperty<bool> holds{false};   ///< it is there, up to date and not refused: so is what it says of errors
-  QProperty<bool> is_followed{false};    ///< the organ, from the place that it has now
   QProperty<bool> is_being_made{false};  ///< another one: what is decided now would be decided about that
   QProperty<QString>
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
@@ -64,7 +63,6 @@ class RegistrationModel : public QObject {
   static QString termination_words(const Registration& registration);
   void read_case();
   void read_tasks();
-  void read_outcome(const engine::Outcome& outcome);
   void read_rivals(const Registration& registration);
   void read_spots(const Registration& registration);
   void read_error(const Registration& registration);
@@ -74,7 +72,6 @@ class RegistrationModel : public QObject {
 
   EngineBridge& engine_;
   std::shared_ptr<const Registration> source_;
-  Points noted_;            ///< nodes of the registration that the notes are of, in the camera's frame
   QStringList look_words_;  ///< one a lesion of `looked_for`
   int helped_most_ = -1;    ///< of these; -1: none much
   Couplings couplings_;

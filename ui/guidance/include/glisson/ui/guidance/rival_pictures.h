@@ -21,9 +21,6 @@ class RivalPictures : public QWidget {
   /// Both outlive this.
   RivalPictures(EngineBridge& engine, RegistrationModel& model, QWidget* parent = nullptr);
 
-  /// Why no place is taken while the organ is followed.
-  static QString tracking_words();
-
  private:
   static constexpr std::size_t kMost = 3;
   void show_case();
