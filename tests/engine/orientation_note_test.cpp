@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A liver without any other organ that is mirrored or upside down is told where it comes in: as labels, as a
-// surface, and when its model is built.
+// surface, and when its model is built. So is one that ends at what was never scanned.
 #include <QTest>
 #include <algorithm>
 
@@ -10,12 +10,14 @@
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/insilico/liver_population.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/volume/io.h"
+#include "glisson/volume/morphology.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -115,6 +117,30 @@ class OrientationNoteTest : public QObject {
       const auto taken = import.apply(CaseState(), RunContext());
       QVERIFY(taken->state[part::labels]->voxels == labels);
       QCOMPARE(std::ranges::count(taken->notes, "liver.perhaps_mirrored"), 1L);
+    }
+  }
+  void aModelTellsThatItsLiverEndsAtPadding() {
+    LabelMap liver = liver_alone(truth_, {0, 0, 0});
+    Image image;
+    image.grid = liver.voxels.grid();
+    std::vector<std::int16_t> voxels(static_cast<std::size_t>(image.grid.voxel_count()), 60);
+    const std::vector<std::uint8_t> all = inside_liver(liver);
+    const int padded = 3 + bounding_box(image.grid.size, image.grid.spacing_mm, all, 0.0).low.z();
+    for (int k = 0; k < padded; ++k)
+      for (int j = 0; j < image.grid.size.y(); ++j)
+        for (int i = 0; i < image.grid.size.x(); ++i) {
+          liver.voxels.set({i, j, k}, structure::kBackground);
+          voxels[static_cast<std::size_t>(image.grid.offset({i, j, k}))] = -1024;
+        }
+    image.voxels = std::make_shared<const std::vector<std::int16_t>>(voxels);
+    for (const bool has_image : {false, true}) {
+      CaseState state;
+      state[part::labels] = std::make_shared<const LabelMap>(liver);
+      if (has_image) state[part::image] = std::make_shared<const Image>(image);
+      const auto built = BuildModel{coarse()}.apply(state, RunContext());
+      const bool is_told = std::ranges::any_of(
+          built->notes, [](const std::string& note) { return note.starts_with("liver.cut_off "); });
+      QCOMPARE(is_told, has_image);
     }
   }
   void surfacesAreTold() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The anterior margin of a liver that the image's edge cuts off.
 #include <QTest>
+#include <algorithm>
 #include <numbers>
 
 #include "anatomy.h"
@@ -76,6 +77,7 @@ class CutMarginTest : public QObject {
   void TheTrueMarginStaysElsewhere();
   void WhatWasLeftOutIsTold();
   void PaddingIsAnEnd();
+  void ALiverLeftOfTheCavaIsTold();
   void FacesLieWhereTheImageEnds_data();
   void FacesLieWhereTheImageEnds();
 
@@ -161,6 +163,19 @@ void CutMarginTest::PaddingIsAnEnd() {
   const ClosestPointTree tree(faces_);
   for (Eigen::Index i = 0; i < margin.rows(); ++i)
     QVERIFY(1e3 * tree.closest(margin.row(i).transpose()).distance > 1e3 * kSharpnessRadius - 1.5);
+}
+
+/// Whoever has let it in as the remnant of a right hepatectomy is told with each model.
+void CutMarginTest::ALiverLeftOfTheCavaIsTold() {
+  for (const bool on_its_right : {false, true}) {
+    LabelMap labels = liver_from(kLowest);
+    for (int k = 0; k < labels.voxels.grid().size.z(); ++k)
+      for (int j = 85; j < 90; ++j)
+        for (int i = 0; i < 5; ++i)
+          labels.voxels.set({on_its_right ? i + 2 : i + 110, j, k}, structure::kVenaCava);
+    const auto anatomy = model::anatomy_of(labels, {}, RunContext());
+    QCOMPARE(std::ranges::count(anatomy->notes, "liver.perhaps_mirrored"), on_its_right ? 1L : 0L);
+  }
 }
 
 void CutMarginTest::FacesLieWhereTheImageEnds_data() {

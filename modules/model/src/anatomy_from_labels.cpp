@@ -151,6 +151,7 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
   Anatomy anatomy;
   std::vector<std::uint8_t> liver = inside_liver(labels);
   keep_largest(grid, liver, anatomy.notes);
+  if (looks_mirrored(voxels)) anatomy.notes.emplace_back("liver.perhaps_mirrored");
   const std::vector<CutRow> cut = image_cut(grid, liver, image);
   if (auto note = cut_note(grid, cut)) {
     anatomy.notes.push_back(std::move(*note));

@@ -14,7 +14,8 @@ namespace {
 /// Null: none, or another one than they were drawn on.
 const Image* image_of_labels(const CaseState& state) {
   const Image* image = state[part::image].get();
-  const bool is_theirs = image != nullptr && image->grid.same_as(state[part::labels]->voxels.grid());
+  const bool is_theirs =
+      image != nullptr && !image->empty() && image->grid.same_as(state[part::labels]->voxels.grid());
   return is_theirs ? image : nullptr;
 }
 
