@@ -194,7 +194,6 @@ const std::vector<const char*>& general_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "there is no step to redo"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "the video has only %1 frames"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "was refused: what is known contradicts it"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "is what the organ is followed from just now"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no tetrahedra"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not this model's (%1 nodes, the model has %2)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "the cloud has no points"),

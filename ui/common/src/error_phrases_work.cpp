@@ -157,6 +157,7 @@ const std::vector<const char*>& work_remedies() {
                         "Delete the folder 'history' of the case: only the undo steps are lost"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Remove it from the case"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Start tracking first"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is what the organ is followed from just now"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Stop tracking first"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Resample the segmentation to the CT's grid, or open the CT that it was drawn on"),

@@ -28,8 +28,8 @@ class StereoVideo {
   /// @param right empty: `left` holds both views (a video: side by side).
   explicit StereoVideo(const std::filesystem::path& left, const std::filesystem::path& right = {});
   ~StereoVideo();
-  /// As the constructors. A server of a network, or a dead camera, may keep one waiting: opening and reading end when the
-  /// context is cancelled (within 50 ms); empty then, as read() is at its end.
+  /// As the constructors. A server of a network, or a dead camera, may keep one waiting: opening and reading
+  /// end when the context is cancelled (within 50 ms); empty then, as read() is at its end.
   static Cancellable<std::unique_ptr<StereoVideo>> open(const std::filesystem::path& left,
                                                         const std::filesystem::path& right,
                                                         const RunContext& context);
