@@ -68,7 +68,7 @@ struct OverlayWorker::Studio {
   /// @param why it ends before it should; empty: somebody wishes so.
   void stop(const QString& why = {}) {
     closing.remove_if([](const std::unique_ptr<Recorder>& one) { return one->is_done(); });
-    if (wanted) emit said_by.recording_ended({QString::fromStdString(wanted->path.string()), 0, 0, why});
+    if (wanted) emit said_by.recording_ended({QString::fromStdString(wanted->path.string()), 0, 0, 0, why});
     wanted.reset();
     if (!recorder) return;
     if (!why.isEmpty()) emit said_by.recording_failed(why);
