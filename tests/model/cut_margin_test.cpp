@@ -156,8 +156,11 @@ void CutMarginTest::PaddingIsAnEnd() {
       }
   image.voxels = std::make_shared<const std::vector<std::int16_t>>(voxels);
   const model::BuiltModel padded = built(labels, &image);
-  QVERIFY(!note_of(padded, "liver.cut_off ").empty());
-  QCOMPARE(note_of(padded, "liver.cut_off "), note_of(cut_, "liver.cut_off "));
+  // A rim that ends one voxel before the padding counts, too: there the image may be blurred.
+  const long at_padding = told_cut(padded.report.notes), at_end = told_cut(cut_.report.notes);
+  QVERIFY2(at_end > 0 && at_padding >= at_end &&
+               static_cast<double>(at_padding) < 1.25 * static_cast<double>(at_end),
+           qPrintable(QStringLiteral("%1 cm2, %2 where the image ends").arg(at_padding).arg(at_end)));
   const Points& margin = padded.model.landmarks.anterior_margin;
   QVERIFY(margin.rows() > 20);
   const ClosestPointTree tree(faces_);
