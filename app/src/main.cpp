@@ -19,6 +19,7 @@
 #include "glisson/core/file_failure.h"
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
+#include "glisson/core/printable.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/scene/headless_gui.h"
 #include "glisson/ui/shell/language.h"
@@ -41,7 +42,8 @@ void print_usage() {
 }
 
 int tell(const std::string& sentence, int code) {
-  std::fprintf(stderr, "glisson: %s\n", ui::error_text(sentence).toLocal8Bit().constData());
+  const std::string shown = printable(ui::error_text(sentence).toStdString());
+  std::fprintf(stderr, "glisson: %s\n", QString::fromStdString(shown).toLocal8Bit().constData());
   return code;
 }
 

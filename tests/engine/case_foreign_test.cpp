@@ -70,6 +70,8 @@ class CaseForeignTest : public QObject {
   void AForeignFileOfOneOfItsNamesIsNotReadAsItsOwn();
   void ALinkToACaseStaysOne();
   void PermissionsOfTheCaseStay();
+  void ForeignFoldersStayAsTheyAre();
+  void AFolderThatCannotBeReadIsNamed();
   void SameContentIsSameBytes();
   void KilledSavesLeaveNothingAfterTheNextOpening();
   void CasesInALoopOfLinksAreNamed();
@@ -210,6 +212,34 @@ void CaseForeignTest::PermissionsOfTheCaseStay() {
   fs::permissions(path(), fs::perms::owner_all);
   save(state_with(0.2));
   QCOMPARE(static_cast<int>(fs::status(path()).permissions()), 0700);
+}
+
+void CaseForeignTest::ForeignFoldersStayAsTheyAre() {
+  fs::create_directories(path() / "private/empty");
+  write_file_atomically(path() / "private/letter.txt", "Dear colleague");
+  const fs::perms own = fs::perms::owner_all, read_only = fs::perms::owner_read | fs::perms::owner_exec;
+  fs::permissions(path() / "private/empty", read_only);
+  fs::permissions(path() / "private", own);
+  const fs::file_time_type long_ago = fs::file_time_type::clock::now() - std::chrono::hours(24 * 365);
+  for (const char* name : {"private/empty", "private"}) fs::last_write_time(path() / name, long_ago);
+  for (const double seed : {0.2, 0.3}) {
+    save(state_with(seed));
+    QVERIFY(fs::status(path() / "private").permissions() == own);
+    QVERIFY(fs::status(path() / "private/empty").permissions() == read_only);
+    QCOMPARE(read_file(path() / "private/letter.txt"), std::string("Dear colleague"));
+    for (const char* name : {"private/empty", "private"})
+      QVERIFY(std::chrono::abs(fs::last_write_time(path() / name) - long_ago) < std::chrono::seconds(2));
+  }
+}
+
+void CaseForeignTest::AFolderThatCannotBeReadIsNamed() {
+  if (::geteuid() == 0) QSKIP("root can read any folder");
+  fs::create_directory(path() / "locked");
+  fs::permissions(path() / "locked", fs::perms::none);
+  const std::string told = test::complaint<FileError>([&] { save(state_with(0.2)); });
+  fs::permissions(path() / "locked", fs::perms::owner_all);
+  QVERIFY2(told.find((path() / "locked").string()) != std::string::npos, told.c_str());
+  QCOMPARE(seed_on_disk(path()), 0.1);
 }
 
 void CaseForeignTest::SameContentIsSameBytes() {

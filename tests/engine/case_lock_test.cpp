@@ -2,6 +2,7 @@
 // Two writers of one case: the second is told who the first is, and nothing of either is lost.
 #include "glisson/engine/case_lock.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -9,7 +10,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -104,6 +107,12 @@ class CaseLockTest : public QObject {
   void TheSameCaseThroughALinkIsTheSame();
   void ALockIsNoWayToAnotherFile();
   void APipeInTheLocksPlaceIsNotWaitedFor();
+  void WhatIsNoLockIsNotWrittenOver_data();
+  void WhatIsNoLockIsNotWrittenOver();
+  void ALockThatIsHeldWithoutANameIsHeld();
+  void WhoIsOvertakenWhileSavingGoesBeside_data();
+  void WhoIsOvertakenWhileSavingGoesBeside();
+  void WhatALockSaysCommandsNoTerminal();
   void ALockThatCannotBeWrittenNamesItsOwner();
   void AnotherCaseIsReplacedOnlyWhenSaid();
   void ASaveThatIsCancelledTooLateIsDone();
@@ -280,6 +289,87 @@ void CaseLockTest::APipeInTheLocksPlaceIsNotWaitedFor() {
   std::optional<CaseOwner> owner;
   QVERIFY(CaseLock::take(path(), owner) == nullptr && owner.has_value());
   QVERIFY(fs::is_fifo(lock_file_of(path())));
+}
+
+void CaseLockTest::WhatIsNoLockIsNotWrittenOver_data() {
+  QTest::addColumn<bool>("is_linked");
+  QTest::newRow("another name of another file") << true;
+  QTest::newRow("another file") << false;
+}
+
+void CaseLockTest::WhatIsNoLockIsNotWrittenOver() {
+  QFETCH(bool, is_linked);
+  const fs::path precious = folder_->path() / "precious.txt", lock = lock_file_of(path());
+  // Empty, a file cannot be told from a lock whose writer has just made it; by its names it can.
+  write_file_atomically(precious, is_linked ? "" : "precious");
+  if (is_linked)
+    fs::create_hard_link(precious, lock);
+  else
+    fs::rename(precious, lock);
+  const std::string before = read_file(lock);
+  Script script{RunContext()};
+  const std::string told = refusal(script, OpenCase{path(), Access::write});
+  QVERIFY2(says(told, "remove " + lock.string()), told.c_str());
+  script.run(seeds(0.2));
+  QVERIFY(!refusal(script, SaveCase{path(), true}).empty());
+  QCOMPARE(read_file(lock), before);
+  QCOMPARE(seed_on_disk(path()), 0.1);
+}
+
+void CaseLockTest::ALockThatIsHeldWithoutANameIsHeld() {
+  const fs::path place = folder_->path() / "new.glisson";
+  const Claim other(::open(lock_file_of(place).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  QVERIFY(other.take());
+  for (const char* text : {"", "x"}) {
+    QVERIFY(::pwrite(other.descriptor(), text, std::strlen(text), 0) >= 0);
+    Script script{RunContext()};
+    script.run(seeds(0.2));
+    const std::string told = refusal(script, SaveCase{place});
+    QVERIFY2(says(told, "is open for writing by somebody"), told.c_str());
+    QVERIFY(!fs::exists(place));
+  }
+}
+
+void CaseLockTest::WhoIsOvertakenWhileSavingGoesBeside_data() {
+  QTest::addColumn<bool>("is_new");
+  QTest::newRow("its own case") << false;
+  QTest::newRow("a new one") << true;
+}
+
+void CaseLockTest::WhoIsOvertakenWhileSavingGoesBeside() {
+  QFETCH(bool, is_new);
+  const fs::path place = is_new ? folder_->path() / "new.glisson" : path();
+  const fs::path beside = folder_->path() / (is_new ? "new (2).glisson" : "a (2).glisson");
+  Engine::Options options = test::options_of(Runner::inline_);
+  bool is_over = false;
+  options.progress = [&](const Progress& progress) {
+    if (progress.stage != "case.verify" || is_over) return;
+    is_over = true;
+    fs::remove(lock_file_of(place));  // somebody took it for a stale one
+    Script other{RunContext()};
+    other.run(seeds(0.9));
+    other.run(SaveCase{place, true});
+  };
+  Engine engine(std::move(options));
+  if (!is_new) engine.wait(engine.post(OpenCase{place, Access::write}));
+  engine.wait(engine.post(seeds(0.2)));
+  const Outcome saved = engine.wait(engine.post(SaveCase{place}));
+  QVERIFY(is_over);
+  QVERIFY2(saved.status == Status::done, saved.error.c_str());
+  QCOMPARE(saved.notes, std::vector<std::string>{"case.saved_beside " + beside.string()});
+  QCOMPARE(seed_on_disk(place), 0.9);
+  QCOMPARE(seed_on_disk(beside), 0.2);
+  QCOMPARE(engine.snapshot()->state.path, beside);
+}
+
+void CaseLockTest::WhatALockSaysCommandsNoTerminal() {
+  CaseOwner owner;
+  owner.user = "anna\x1b[2J\nglisson: all is well";
+  owner.host = "another.example";
+  owner.since = std::string(3000, 'x');
+  const std::string told = owner.told();
+  QVERIFY(told.size() < 300);
+  QVERIFY(std::ranges::all_of(told, [](char c) { return static_cast<unsigned char>(c) >= 0x20; }));
 }
 
 void CaseLockTest::ALockThatCannotBeWrittenNamesItsOwner() {

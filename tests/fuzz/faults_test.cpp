@@ -88,7 +88,7 @@ void FaultsTest::FoundFaultsStayMended_data() {
     row(entry, "nested brackets", QByteArray(100000, '['));
   // Closed, and where a value is copied or told.
   const QByteArray closed = QByteArray(300000, '[') + "1" + QByteArray(300000, ']');
-  row("case_json", "a deep value", "{\"format\": \"glisson.case\", \"files\": {\"x\": " + closed + "}}");
+  row("case_json", "a deep value", "{\"format\": \"glisson-case\", \"files\": {\"x\": " + closed + "}}");
   row("edits", "a deep value", "{\"edits\": [{\"tool\": \"brush\", \"radius_mm\": " + closed + "}]}");
   row("label_codes", "a deep value", "{\"1\": " + closed + "}");
   row("calibration", "nested brackets", "%YAML:1.0\n---\na: " + QByteArray(50000, '['));

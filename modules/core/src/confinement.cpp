@@ -6,6 +6,7 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sched.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -73,6 +74,8 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t kArchitecture = 0;
 #endif
 
+// fcntl(2); their names are the C library's only with its extensions.
+constexpr std::uint32_t kSetSignal = 10, kSetOwnerEx = 15;
 constexpr std::uint32_t kChangeMode2 = 452;  // fchmodat2, which older systems do not have
 
 /// The calls that nobody needs who reads files and writes numbers.
@@ -146,7 +149,15 @@ std::vector<std::uint32_t> denied_calls() {
                                       SYS_shmat,
                                       SYS_shmctl,
                                       SYS_msgget,
-                                      SYS_semget};
+                                      SYS_msgsnd,
+                                      SYS_msgrcv,
+                                      SYS_msgctl,
+                                      SYS_semget,
+                                      SYS_semop,
+                                      SYS_semtimedop,
+                                      SYS_semctl,
+                                      SYS_mq_open,
+                                      SYS_mq_unlink};
 #if defined(__x86_64__)
   calls.insert(calls.end(), {SYS_fork, SYS_vfork, SYS_iopl, SYS_ioperm, SYS_chmod, SYS_chown, SYS_lchown,
                              SYS_utime, SYS_utimes, SYS_futimesat});
@@ -187,6 +198,18 @@ bool confine_calls() {
     answer(kRefuse);
     answer(SECCOMP_RET_ALLOW);
   };
+  // What has the kernel send signals to others, or types for the person at a terminal.
+  const auto refuse_command = [&](std::uint32_t call, const std::vector<std::uint32_t>& commands) {
+    unless(BPF_JEQ, call, static_cast<std::uint8_t>(2 * commands.size() + 2));
+    load(offsetof(seccomp_data, args) + sizeof(std::uint64_t));  // the second argument, of 32 bits
+    for (const std::uint32_t command : commands) {
+      unless(BPF_JEQ, command, 1);
+      answer(kRefuse);
+    }
+    answer(SECCOMP_RET_ALLOW);
+  };
+  refuse_command(SYS_fcntl, {F_SETOWN, kSetOwnerEx, kSetSignal});
+  refuse_command(SYS_ioctl, {FIOSETOWN, SIOCSPGRP, TIOCSTI});
   const auto self = static_cast<std::uint32_t>(::getpid());
   own_only(SYS_tgkill, self, self);
   own_only(SYS_prlimit64, self, 0);
@@ -219,6 +242,15 @@ constexpr bool kInstrumented = false;
 
 }  // namespace
 
+Confinement possible_confinement() {
+  Confinement possible;
+  if (kInstrumented) return possible;
+  const std::uint32_t refuse = SECCOMP_RET_ERRNO;
+  possible.files = ::syscall(kCreateRuleset, nullptr, 0, 1) >= 1;
+  possible.calls = kArchitecture != 0 && ::syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &refuse) == 0;
+  return possible;
+}
+
 Confinement confine(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
   Confinement confinement;
   if (kInstrumented || ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement;
@@ -241,7 +273,7 @@ void die_with_parent() {
 }
 
 void leave_requests_to_the_parent() {
-  for (const int request : {SIGINT, SIGTERM}) ::signal(request, SIG_IGN);
+  for (const int request : {SIGINT, SIGTERM, SIGHUP}) ::signal(request, SIG_IGN);
 }
 
 std::vector<std::string> escapes() {
@@ -275,6 +307,11 @@ std::vector<std::string> escapes() {
       could.emplace_back("truncate");
   }
   if (::syscall(SYS_tgkill, ::getppid(), ::getppid(), 0) == 0) could.emplace_back("signal");
+  if (const int file = ::open(self, O_RDONLY | O_CLOEXEC); file >= 0) {
+    if (::fcntl(file, F_SETOWN, ::getppid()) == 0) could.emplace_back("asynchronous_signal");
+    ::close(file);
+  }
+  if (::syscall(SYS_msgsnd, -1, nullptr, 0, 0) != 0 && errno != EPERM) could.emplace_back("message");
   return could;
 }
 

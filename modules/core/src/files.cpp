@@ -2,12 +2,12 @@
 #include "glisson/core/files.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 #include <vector>
 
@@ -16,6 +16,19 @@
 
 namespace glisson {
 namespace fs = std::filesystem;
+namespace {
+
+struct Opened {
+  explicit Opened(int opened) : descriptor(opened) {}
+  ~Opened() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+  const int descriptor;
+};
+
+}  // namespace
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -29,20 +42,26 @@ std::string lower_extension(const fs::path& path) { return lower_case(path.exten
 std::string read_file(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw FileError(path.string() + ": is a folder. Name a file in it.");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
+  // A pipe that nobody writes to is at its end at once, where opening it would wait for one who does.
+  const Opened file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.descriptor < 0)
     throw FileError(path.string() + ": cannot be opened (" + std::strerror(errno) + "). Check the path.");
   // A pipe or a device has no size and perhaps no end: counted while it is read.
   constexpr std::size_t kMostBytes = 4'000'000'000;
   std::string content;
   std::vector<char> part(1 << 20);
-  while (stream.read(part.data(), static_cast<std::streamsize>(part.size())) || stream.gcount() > 0) {
-    content.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  for (;;) {
+    const ssize_t got = ::read(file.descriptor, part.data(), part.size());
+    if (got == 0) return content;
+    if (got < 0 && errno == EAGAIN) {
+      pollfd waited{file.descriptor, POLLIN, 0};
+      if (::poll(&waited, 1, -1) > 0) continue;
+    }
+    if (got < 0) throw FileError(path.string() + ": could not be read to its end. Check the disk.");
+    content.append(part.data(), static_cast<std::size_t>(got));
     if (content.size() > kMostBytes)
       throw FileError(path.string() + ": is larger than 4 GB. Check that this is the right file.");
   }
-  if (stream.bad()) throw FileError(path.string() + ": could not be read to its end. Check the disk.");
-  return content;
 }
 
 void flush_to_disk(const fs::path& path) {

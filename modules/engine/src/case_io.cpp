@@ -184,7 +184,7 @@ std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
 }
 
 bool save_case(const fs::path& given, const CaseState& state, const RunContext& context, SavedImage& saved,
-               std::vector<std::string>* notes) {
+               std::vector<std::string>* notes, const std::function<void()>& last_look) {
   const fs::path path = case_place(given);
   if (path.extension() != ".glisson")
     throw InputError(given.string(), "", "a case is a folder whose name ends in .glisson",
@@ -208,6 +208,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   if (context.cancelled()) return false;
   SavedImage now;
   now.remember(state, fresh, path);
+  if (last_look) last_look();
   const std::vector<std::string> told = put_case(fresh, path);
   saved = now;
   if (notes != nullptr) notes->insert(notes->end(), told.begin(), told.end());

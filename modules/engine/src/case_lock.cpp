@@ -16,6 +16,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/output_file.h"
+#include "glisson/core/printable.h"
 #include "glisson/core/time_text.h"
 
 namespace glisson::engine {
@@ -60,15 +61,18 @@ std::string written(const CaseOwner& owner) {
          "\n";
 }
 
-bool is_plain_file(int descriptor) {
+/// @param names receives by how many names it is known.
+bool is_plain_file(int descriptor, nlink_t& names) {
   struct stat status {};
-  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  const bool is_plain = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  names = status.st_nlink;
+  return is_plain;
 }
 
-/// Empty: nothing is said, or nothing that makes sense.
-std::optional<CaseOwner> read_owner(int descriptor) {
+/// Empty: nothing is said, or nothing that makes sense. @param size receives how much is said.
+std::optional<CaseOwner> read_owner(int descriptor, ssize_t& size) {
   std::array<char, 4096> text{};
-  const ssize_t size = ::pread(descriptor, text.data(), text.size(), 0);
+  size = ::pread(descriptor, text.data(), text.size(), 0);
   if (size <= 0) return {};
   const json document = json::parse(text.data(), text.data() + size, nullptr, false);
   try {
@@ -96,7 +100,9 @@ bool write_owner(int descriptor, const CaseOwner& owner) {
 }  // namespace
 
 std::string CaseOwner::told() const {
-  return user + " on " + host + " (process " + std::to_string(process) + ", since " + since + ")";
+  if (user.empty() && host.empty()) return "somebody who does not say who";
+  return printable(user + " on " + host + " (process " + std::to_string(process) + ", since " + since + ")",
+                   200);
 }
 
 fs::path case_place(const fs::path& path) {
@@ -131,21 +137,26 @@ std::shared_ptr<const CaseLock> CaseLock::take(const fs::path& folder, std::opti
     const bool is_anothers = descriptor < 0 && errno == EACCES;
     if (is_anothers) descriptor = ::open(file.c_str(), O_RDONLY | kFlags);
     Claim claim(descriptor);
-    owner = CaseOwner{};
-    if (claim.descriptor() < 0 || !is_plain_file(claim.descriptor())) return nullptr;
+    nlink_t names = 0;
+    owner = CaseOwner{.is_there = false};
+    if (claim.descriptor() < 0 || !is_plain_file(claim.descriptor(), names)) return nullptr;
     const bool held = claim.take();
     const bool kernel_knows = held || errno == EWOULDBLOCK;
     if (!claim.is_at(file)) continue;  // whoever had it has just removed it
-    const auto writer = read_owner(claim.descriptor());
-    if (writer) owner = writer;
+    ssize_t said = 0;
+    const auto writer = read_owner(claim.descriptor(), said);
+    owner = writer.value_or(CaseOwner{});
     if (!held && kernel_knows) return nullptr;
     if (writer && may_be_alive(*writer, here, kernel_knows)) return nullptr;
+    // No lock of ours, or another name of another file: whatever it is, it is not written over.
+    if (names > 1 || (said > 0 && !writer)) return nullptr;
     if (is_anothers) {  // left behind: in the folder, which is everybody's, it is made anew
       std::error_code failure;
-      owner = CaseOwner{};
+      owner = CaseOwner{.is_there = false};
       if (!fs::remove(file, failure)) return nullptr;
       continue;
     }
+    owner = CaseOwner{.is_there = false};
     if (!write_owner(claim.descriptor(), here)) return nullptr;
     owner.reset();
     return std::shared_ptr<const CaseLock>(new CaseLock(folder, file, std::move(claim)));

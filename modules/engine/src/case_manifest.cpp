@@ -2,6 +2,7 @@
 #include "case_manifest.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -74,6 +75,59 @@ void link_or_copy(const fs::path& from, const fs::path& to) {
   if (failure) refuse(from, failure.message());
 }
 
+/// Folders that are nobody's but the person's, made anew around what is carried over from them.
+class CarriedFolders {
+ public:
+  CarriedFolders(const fs::path& former, const fs::path& fresh) : former_(former), fresh_(fresh) {}
+
+  /// With those around it.
+  void make(const fs::path& relative) {
+    fs::path part;
+    for (const fs::path& name : relative) {
+      part /= name;
+      if (fs::exists(fs::symlink_status(fresh_ / part))) continue;
+      if (::mkdir((fresh_ / part).c_str(), 0700) != 0) refuse(former_ / part, std::strerror(errno));
+      made_.push_back(part);
+    }
+  }
+  /// Once all lies in them: they are as private, as old and as much another's as they were.
+  void finish() const {
+    for (auto part = made_.rbegin(); part != made_.rend(); ++part) {
+      const fs::path now = fresh_ / *part;
+      struct stat was = {};
+      if (::stat((former_ / *part).c_str(), &was) != 0) continue;
+      (void)!::chown(now.c_str(), was.st_uid, was.st_gid);  // root alone may do that
+      if (::chmod(now.c_str(), was.st_mode & 07777U) != 0) refuse(former_ / *part, std::strerror(errno));
+      const std::array<timespec, 2> times = {was.st_atim, was.st_mtim};
+      ::utimensat(AT_FDCWD, now.c_str(), times.data(), 0);
+    }
+  }
+
+ private:
+  const fs::path& former_;
+  const fs::path& fresh_;
+  std::vector<fs::path> made_;  ///< outer ones first
+};
+
+/// A link, a file, a pipe. @return its name in `fresh` where that is another than it had; empty: the same, or
+/// it is the former save's own.
+fs::path carry(const fs::directory_entry& entry, const fs::path& relative, const fs::path& fresh,
+               const json& listed, CarriedFolders& folders) {
+  const fs::file_status status = entry.symlink_status();
+  const fs::path target = fresh / relative;
+  const std::string name = relative.string();
+  if (name == kCaseFile || (listed.is_null() && is_of_layout(relative))) return {};
+  const bool was_ours = listed.contains(name);
+  if (was_ours && fs::is_regular_file(status) && listed[name] == sum_of(entry.path())) return {};
+  std::error_code failure;
+  const bool needs_name =
+      was_ours || is_of_layout(relative) || fs::exists(fs::symlink_status(target, failure));
+  const fs::path kept = needs_name ? unused_name(target) : target;
+  folders.make(relative.parent_path());
+  link_or_copy(entry.path(), kept);
+  return needs_name ? kept.lexically_relative(fresh) : fs::path();
+}
+
 }  // namespace
 
 // FNV-1a over words of eight bytes (the last one filled up with zeros) and the size.
@@ -134,26 +188,23 @@ std::vector<std::string> changed_files(const fs::path& folder, const json& docum
 std::vector<std::string> carry_over(const fs::path& former, const fs::path& fresh) {
   const json listed = files_of(former);
   std::vector<std::string> changed;
-  for (auto entry = fs::recursive_directory_iterator(former); entry != fs::recursive_directory_iterator();
-       ++entry) {
-    const fs::path relative = entry->path().lexically_relative(former), target = fresh / relative;
-    const fs::file_status status = entry->symlink_status();
-    std::error_code failure;
-    if (fs::is_directory(status)) {
-      if (fs::is_empty(entry->path(), failure)) fs::create_directories(target, failure);
+  CarriedFolders folders(former, fresh);
+  std::error_code failure;
+  fs::path at = former;
+  auto entry = fs::recursive_directory_iterator(former, failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
+    at = entry->path();
+    const fs::path relative = at.lexically_relative(former);
+    if (fs::is_directory(entry->symlink_status())) {
+      if (fs::is_empty(at, failure)) folders.make(relative);
+      if (failure) break;
       continue;
     }
-    const std::string name = relative.string();
-    if (name == kCaseFile || (listed.is_null() && is_of_layout(relative))) continue;
-    const bool was_ours = listed.contains(name);
-    if (was_ours && fs::is_regular_file(status) && listed[name] == sum_of(entry->path())) continue;
-    const bool needs_name =
-        was_ours || is_of_layout(relative) || fs::exists(fs::symlink_status(target, failure));
-    const fs::path kept = needs_name ? unused_name(target) : target;
-    fs::create_directories(kept.parent_path(), failure);
-    link_or_copy(entry->path(), kept);
-    if (needs_name) changed.push_back(kept.lexically_relative(fresh).string());
+    const fs::path kept = carry(*entry, relative, fresh, listed, folders);
+    if (!kept.empty()) changed.push_back(kept.string());
   }
+  if (failure) refuse(at, failure.message());
+  folders.finish();
   return changed;
 }
 

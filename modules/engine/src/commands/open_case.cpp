@@ -45,7 +45,7 @@ std::shared_ptr<Keeping> held_for(const OpenCase& command, const Keeping* kept) 
 
 /// Why it is open for reading.
 std::string note_of(const CaseOwner& writer) {
-  return writer.host.empty() ? "case.folder_not_writable" : "case.open_for_reading " + writer.told();
+  return writer.is_there ? "case.open_for_reading " + writer.told() : "case.folder_not_writable";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Cancellable<Applied> RecoverCase::apply(const CaseState& before, const RunContex
   applied.keeps_stamps = true;
   if (copy.of.empty()) return applied;
   const auto keeping = keeping_of(copy, before[part::keeping].get());
-  if (keeping->writer && !keeping->writer->host.empty())
+  if (keeping->writer && keeping->writer->is_there)
     applied.notes.push_back("case.open_for_reading " + keeping->writer->told());
   applied.state[part::keeping] = keeping;
   return applied;

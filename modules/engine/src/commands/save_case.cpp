@@ -26,13 +26,31 @@ fs::path unused_beside(const fs::path& folder) {
 void hold_or_tell(const fs::path& told, Keeping& keeping, const Keeping* before) {
   hold(keeping, before);
   // Where no lock can be written, no case can either: saving says it better.
-  if (!keeping.lock && keeping.writer && !keeping.writer->host.empty())
-    throw held_error(told, *keeping.writer);
+  if (!keeping.lock && keeping.writer && keeping.writer->is_there) throw held_error(told, *keeping.writer);
   keeping.writer.reset();
 }
 
-/// Where the case goes, held: beside the wanted place where others have saved there since. That is theirs,
-/// and both are kept.
+/// Others have saved where this was to go, since it began.
+class Overtaken : public FileError {
+ public:
+  using FileError::FileError;
+};
+
+/// @throws Overtaken. Asked last: writing takes its time, and whoever takes a lock for stale removes it.
+void require_not_overtaken(const Keeping& keeping) {
+  const bool is_held = !keeping.lock || keeping.lock->holds();
+  if (!is_held || edition_on_disk(keeping.folder) != keeping.edition)
+    throw Overtaken(keeping.folder.string() + ": was replaced while it was written. Write it again.");
+}
+
+void go_beside(Keeping& keeping) {
+  keeping.folder = unused_beside(keeping.folder);
+  keeping.edition.clear();
+  hold_or_tell(keeping.folder, keeping, nullptr);
+}
+
+/// Where the case goes, held, and the edition that it takes the place of: beside the wanted place where
+/// others have saved there since. That is theirs, and both are kept.
 std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before, bool replaces) {
   auto keeping = std::make_shared<Keeping>();
   if (before != nullptr) keeping->image = before->image;
@@ -44,10 +62,31 @@ std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before,
                      "Choose another name, or say that it is replaced");
   const bool is_newer =
       is_own && fs::exists(keeping->folder) && edition_on_disk(keeping->folder) != before->edition;
-  if (!is_newer) return keeping;
-  keeping->folder = unused_beside(keeping->folder);
-  hold_or_tell(keeping->folder, *keeping, nullptr);
+  if (is_newer)
+    go_beside(*keeping);
+  else
+    keeping->edition = edition_on_disk(keeping->folder);
   return keeping;
+}
+
+/// The path as the person gave it, unless the case goes beside it.
+fs::path told_place(const fs::path& wanted, const Keeping& keeping) {
+  return keeping.folder == case_place(wanted) ? wanted : keeping.folder;
+}
+
+/// Writes it there, or beside it where others come first. @return false: cancelled.
+bool write_to(const fs::path& wanted, Keeping& keeping, const CaseState& state, const RunContext& context,
+              std::vector<std::string>& notes) {
+  const auto write = [&] {
+    return engine::save_case(told_place(wanted, keeping), state, context, keeping.image, &notes,
+                             [&keeping] { require_not_overtaken(keeping); });
+  };
+  try {
+    return write();
+  } catch (const Overtaken&) {
+    go_beside(keeping);
+    return write();
+  }
 }
 
 /// Where the person wants it. @throws InputError nowhere has been said yet.
@@ -72,10 +111,9 @@ Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& c
   Applied applied{state};
   const fs::path wanted = wanted_place(path, state);
   const auto keeping = place_of(wanted, state[part::keeping].get(), replaces);
-  const bool is_beside = keeping->folder != case_place(wanted);
-  const fs::path& place = is_beside ? keeping->folder : wanted;
-  if (is_beside) applied.notes.push_back("case.saved_beside " + place.string());
-  if (!engine::save_case(place, state, context, keeping->image, &applied.notes)) return {};
+  if (!write_to(wanted, *keeping, state, context, applied.notes)) return {};
+  const fs::path place = told_place(wanted, *keeping);
+  if (place != wanted) applied.notes.insert(applied.notes.begin(), "case.saved_beside " + place.string());
   keeping->edition = edition_on_disk(keeping->folder);
   applied.state.path = place;
   applied.state[part::keeping] = keeping;

@@ -19,6 +19,9 @@ struct Confinement {
   bool calls = false;  ///< seccomp: no network, no other program, no look into other processes
 };
 
+/// What this kernel can hold of a confined process; nothing in a build with sanitizers.
+Confinement possible_confinement();
+
 /// Confines this process and all its threads to come.
 /// @param readable files and folders beside the system's libraries (/usr, /lib, /lib64).
 /// @param writable folders (they are readable, too).
@@ -35,11 +38,12 @@ void limit_written_file(double bytes);
 /// No core dump (it would hold a patient's data), and no life beyond the parent's, which decides on it alone
 /// (leave_requests_to_the_parent).
 void die_with_parent();
-/// A request to stop (SIGINT, SIGTERM) that goes to every process of a session or a service is for the
-/// parent, which ends this one. If this one ended by itself, the parent would take the file for damaged.
+/// A request to stop (SIGINT, SIGTERM, SIGHUP) that goes to every process of a session or a service is for
+/// the parent, which ends this one. If this one ended by itself, the parent would take the file for damaged.
 void leave_requests_to_the_parent();
 
-/// Tries what a confined process must not do, and tells what it could: "network", "program", "write", "read".
+/// Tries what a confined process must not do, and tells what it could: "read" and "write" (of files), and
+/// what calls do: "network", "program", "mode", "truncate", "signal", "asynchronous_signal", "message".
 std::vector<std::string> escapes();
 
 }  // namespace glisson

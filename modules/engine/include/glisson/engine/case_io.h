@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,11 @@ bool save_case(const std::filesystem::path& path, const CaseState& state, const 
                std::vector<std::string>* notes = nullptr);
 
 /// As above, taking over the image's file where `saved` knows one; afterwards it knows this case's.
+/// @param last_look called when all is written, before it takes the old case's place; the old case stands
+/// when it throws. Empty: nobody looks.
 bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context,
-               SavedImage& saved, std::vector<std::string>* notes = nullptr);
+               SavedImage& saved, std::vector<std::string>* notes = nullptr,
+               const std::function<void()>& last_look = {});
 
 /// Puts a case that was written whole in place of another one, in one step; what is not the case's stays.
 /// @param fresh on the same file system. @return notes, as save_case gives them. @throws FileError.

@@ -14,10 +14,11 @@ namespace glisson::engine {
 struct CaseOwner {
   std::string user, host;
   long process = 0;
-  std::string boot;   ///< of the machine; a lock from before its last start is stale
-  std::string since;  ///< local time, "2026-11-22 06:42"
+  std::string boot;      ///< of the machine; a lock from before its last start is stale
+  std::string since;     ///< local time, "2026-11-22 06:42"
+  bool is_there = true;  ///< false: nobody has it, but no lock can be written there
 
-  /// "anna on lap-or2 (process 4711, since 2026-11-22 06:42)".
+  /// "anna on lap-or2 (process 4711, since 2026-11-22 06:42)", or that nobody says who.
   std::string told() const;
 };
 
@@ -28,8 +29,8 @@ struct CaseOwner {
 class CaseLock {
  public:
   /// @param folder of the case, which need not be there yet.
-  /// @param owner set when it is not to be had: who has it; without a name when the place cannot be written
-  /// to.
+  /// @param owner set when it is not to be had: who has it; without a name where that is not said, as by a
+  /// file in the lock's place that is none.
   /// @return null: it is not to be had.
   static std::shared_ptr<const CaseLock> take(const std::filesystem::path& folder,
                                               std::optional<CaseOwner>& owner);
@@ -38,6 +39,8 @@ class CaseLock {
   CaseLock& operator=(const CaseLock&) = delete;
 
   const std::filesystem::path& folder() const { return folder_; }
+  /// Whether it still keeps others out: not any more when its file was removed.
+  bool holds() const { return claim_.is_at(file_); }
 
  private:
   CaseLock(std::filesystem::path folder, std::filesystem::path file, Claim claim);
