@@ -88,6 +88,7 @@ class HouseTest : public QObject {
   void BrokenPlansAreRefused();
   void FilesAndFunctionsCanBeRead();
   void CommandsAreShort();
+  void NobodyAsksWhichCommandItIs();
   void LongFunctionsAreFound();
 };
 
@@ -190,6 +191,29 @@ void HouseTest::CommandsAreShort() {
   }
   QVERIFY2(commands > 50, qPrintable(QString::number(commands)));
   QVERIFY2(offences.empty(), ("longer than 15 lines:\n" + offences).c_str());
+}
+
+/// What becomes of a command is by its traits: another one is added without a place that knows it.
+void HouseTest::NobodyAsksWhichCommandItIs() {
+  Rooms commands;
+  for (const fs::path& header :
+       sources_below(source_root() / "modules" / "engine" / "include" / "glisson" / "engine" / "commands"))
+    for (const std::string& line : lines_of(std::ifstream(header))) {
+      static const std::regex kCommand("^struct (\\w+) \\{$");
+      std::smatch found;
+      if (std::regex_search(line, found, kCommand)) commands.insert(found[1]);
+    }
+  QVERIFY2(commands.size() > 50, qPrintable(QString::number(commands.size())));
+  std::string offences;
+  for (const auto& [room, sources] : rooms_on_disk())
+    for (const fs::path& source : sources)
+      for (const std::string& line : lines_of(std::ifstream(source))) {
+        static const std::regex kAsked("\\bas<(?:engine::)?(\\w+)>\\(");
+        std::smatch found;
+        if (std::regex_search(line, found, kAsked) && commands.contains(found[1]))
+          offences += room + "/" + source.filename().string() + ": " + line + "\n";
+      }
+  QVERIFY2(offences.empty(), ("asked which command it is:\n" + offences).c_str());
 }
 
 void HouseTest::LongFunctionsAreFound() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "glisson/core/child_process.h"
+#include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/stopwatch.h"
@@ -88,13 +89,14 @@ class Trial {
     voxels_[1] = write_ct(folder_ / "two.nrrd", 1, random_);
     for (int n = 0; n < 2; ++n) seconds_import_ = in_peace(import(n));
     if (!patient_.empty()) seconds_record_ = in_peace(record());
+    sweep_leftovers(work_folder());  // of earlier programs
     expected_ = names_in(folder_);
   }
 
   KillTrial run(int kills) {
-    for (int n = 0; found_.kills + found_.came_through < kills; ++n) {
+    for (int n = 0; found_.kills < kills; ++n) {
       if (context_.cancelled()) throw Cancelled();
-      context_.progress(static_cast<double>(n) / kills, "soak.kills");
+      context_.progress(static_cast<double>(found_.kills) / kills, "soak.kills");
       const bool records = !patient_.empty() && n % 4 == 3;
       kill_once(records ? record() : import(n), records ? seconds_record_ : seconds_import_);
       look(records);
@@ -161,6 +163,7 @@ class Trial {
       found_.recovered += is_recovered;
       found_.left += !is_recovered && !expected_.contains(name);
     }
+    found_.left += sweep_leftovers(work_folder());  // that start has swept there, too
   }
 
   fs::path program_, folder_, patient_;

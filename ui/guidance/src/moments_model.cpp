@@ -272,7 +272,7 @@ void MomentsModel::rename(int number, const QString& title) {
   const auto moment = engine::moment_of(engine_.state(), number);
   const std::string wanted = title.trimmed().toStdString();
   if (!moment || moment->title == wanted) return;
-  former_.emplace_back(engine::RenameMoment{number, moment->title});
+  former_.emplace_back([number, title = moment->title] { return engine::RenameMoment{number, title}; });
   can_undo = true;
   engine_.post(engine::RenameMoment{number, wanted});
 }
@@ -280,24 +280,24 @@ void MomentsModel::rename(int number, const QString& title) {
 void MomentsModel::remove(int number) {
   const auto moment = engine::moment_of(engine_.state(), number);
   if (!moment) return;
-  former_.emplace_back(engine::KeepMoment{moment});
+  former_.emplace_back([this, moment] { return keep_again(moment); });
   can_undo = true;
   engine_.post(engine::RemoveMoment{number});
   say(tr("Moment %1 is deleted. Undo brings it back.").arg(number));
 }
 
+engine::Command MomentsModel::keep_again(const std::shared_ptr<const engine::KeptMoment>& moment) const {
+  // When the last one is deleted numbers begin anew: its own may be another's by now.
+  if (!engine::moment_of(engine_.state(), moment->number)) return engine::KeepMoment{moment};
+  auto again = std::make_shared<engine::KeptMoment>(*moment);
+  again->number = 0;
+  return engine::KeepMoment{std::move(again)};
+}
+
 void MomentsModel::undo() {
   if (former_.empty()) return;
-  engine::Command step = std::move(former_.back());
+  engine_.post(former_.back()());
   former_.pop_back();
-  // When the last one is deleted numbers begin anew: its own may be another's by now.
-  if (const auto* back = step.as<engine::KeepMoment>();
-      back != nullptr && engine::moment_of(engine_.state(), back->moment->number)) {
-    auto again = std::make_shared<engine::KeptMoment>(*back->moment);
-    again->number = 0;
-    step = engine::KeepMoment{std::move(again)};
-  }
-  engine_.post(std::move(step));
   can_undo = !former_.empty();
 }
 

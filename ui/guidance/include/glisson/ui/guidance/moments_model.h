@@ -78,6 +78,8 @@ class MomentsModel : public QObject {
   void make_rows();
   void make_thumbnails();
   void read_outcome(const engine::Outcome& outcome);
+  /// What takes its deletion back, as the case stands then.
+  engine::Command keep_again(const std::shared_ptr<const engine::KeptMoment>& moment) const;
   QString why_not() const;
   void say(const QString& text, const QString& how = {});
 
@@ -88,7 +90,7 @@ class MomentsModel : public QObject {
   Couplings couplings_;
   std::shared_ptr<const engine::KeptMoments> kept_;
   std::map<std::shared_ptr<const std::string>, QImage> thumbnails_;  ///< by picture; null: being made
-  std::vector<engine::Command> former_;                              ///< what takes each step back
+  std::vector<std::function<engine::Command()>> former_;             ///< what takes each step back
   std::shared_ptr<const engine::KeptMoment> shown_;  ///< on the screen, while `shown` is not 0
   int wanted_ = 0;                                   ///< that is being read, to be shown; 0: none
   std::mutex mutex_;
