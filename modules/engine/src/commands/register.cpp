@@ -38,6 +38,16 @@ std::vector<std::string> notes_of(const CaseState& state, const PatientModel& mo
   return notes;
 }
 
+Cancellable<registration::ExaminedRegistration> made_with_notes(const CaseState& state,
+                                                                const PatientModel& model,
+                                                                const registration::RegisterOptions& options,
+                                                                const registration::KnownOperations& known,
+                                                                const RunContext& context) {
+  auto examined = registration::register_model(model, *state[part::cloud], options, context, known);
+  if (examined) examined->registered.registration.notes = notes_of(state, model, options, *examined);
+  return examined;
+}
+
 }  // namespace
 
 CommandTraits Register::traits() const {
@@ -53,10 +63,9 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const registration::KnownOperations known = known_operations(state, context.seed());
   const registration::RegisterOptions options = options_with_looks(state, *this);
   const PatientModel model = effective_model(state);
-  auto examined = registration::register_model(model, *state[part::cloud], options, context, known);
+  auto examined = made_with_notes(state, model, options, known, context);
   if (!examined) return {};
   registration::Registered& made = examined->registered;
-  made.registration.notes = notes_of(state, model, options, *examined);
   Applied applied{state, figures_of(*examined), told_of(made.registration)};
   if (made.operations && made.operations != known.prior)
     keep_operations(applied.state, registration::operation_of(options, model), context.seed(),
