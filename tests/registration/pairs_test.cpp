@@ -341,7 +341,8 @@ void PairsTest::WhatIsSeenIsWhatBruteForceFinds() {
   const SeenPlaces places(cloud);
   int seen_count = 0;
   for (int n = 0; n < 3000; ++n) {
-    Eigen::RowVector3d at(anywhere(random), anywhere(random), anywhere(random));
+    Eigen::RowVector3d at;
+    for (int axis = 0; axis < 3; ++axis) at[axis] = anywhere(random);
     if (n % 3 == 0)  // away from one point by about the limit
       at = cloud.row(n % cloud.rows()) +
            (n % 2 == 0 ? 1.0 - 1e-9 : 1.0 + 1e-9) * kSeenWithin * Eigen::RowVector3d::Unit(n / 3 % 3);
