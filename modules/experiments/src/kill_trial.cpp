@@ -82,14 +82,15 @@ class Trial {
   Trial(fs::path program, const fs::path& folder, fs::path patient, const RunContext& context)
       : program_(std::move(program)),
         folder_(folder),
+        work_(folder / "work"),
         patient_(std::move(patient)),
         context_(context),
         random_(context.random("kills")) {
+    fs::create_directory(work_);
     voxels_[0] = write_ct(folder_ / "one.nrrd", 0, random_);
     voxels_[1] = write_ct(folder_ / "two.nrrd", 1, random_);
     for (int n = 0; n < 2; ++n) seconds_import_ = in_peace(import(n));
     if (!patient_.empty()) seconds_record_ = in_peace(record());
-    sweep_leftovers(work_folder());  // of earlier programs
     expected_ = names_in(folder_);
   }
 
@@ -120,9 +121,16 @@ class Trial {
             "--out",
             (folder_ / "o.mkv").string()};
   }
+  /// With a folder for its work that no other program uses: what lies in there afterwards was left by one of
+  /// these.
+  Cancellable<ChildExit> start(const Words& arguments, const RunContext& context) const {
+    Words words = {"TMPDIR=" + work_.string(), program_.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_child("/usr/bin/env", words, context, {});  // it becomes the program
+  }
   double in_peace(const Words& arguments) const {
     const Stopwatch watch;
-    const auto end = run_child(program_.string(), arguments, context_, {});
+    const auto end = start(arguments, context_);
     if (!end) throw Cancelled();
     if (end->code != 0)
       throw Error("trial: 'glisson " + arguments.front() + "' failed with nobody in its way. Try it alone.");
@@ -131,10 +139,9 @@ class Trial {
   void kill_once(const Words& arguments, double seconds) {
     const auto killed = std::make_shared<CancelFlag>();
     const Deadline deadline(killed, std::uniform_real_distribution<double>(0.02, 1.05)(random_) * seconds);
-    const bool ended =
-        run_child(program_.string(), arguments, RunContext({}, killed, context_.seed()), {}).has_value();
+    const bool ended = start(arguments, RunContext({}, killed, context_.seed())).has_value();
     ended ? ++found_.came_through : ++found_.kills;
-    found_.littered += names_in(folder_) != expected_;
+    found_.littered += !ended && names_in(folder_) != expected_;
   }
   void look(bool records) {
     try {
@@ -163,10 +170,10 @@ class Trial {
       found_.recovered += is_recovered;
       found_.left += !is_recovered && !expected_.contains(name);
     }
-    found_.left += sweep_leftovers(work_folder());  // that start has swept there, too
+    found_.left += sweep_leftovers(work_);  // that start has swept there, too
   }
 
-  fs::path program_, folder_, patient_;
+  fs::path program_, folder_, work_, patient_;
   RunContext context_;
   std::mt19937_64 random_;
   std::vector<std::int16_t> voxels_[2];
