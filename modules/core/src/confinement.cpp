@@ -49,8 +49,11 @@ bool allow(int ruleset, const fs::path& path, std::uint64_t access) {
   return result == 0;
 }
 
+/// 0 and less: none.
+long landlock_version() { return ::syscall(kCreateRuleset, nullptr, 0, 1); }
+
 bool confine_files(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
-  const long version = ::syscall(kCreateRuleset, nullptr, 0, 1);
+  const long version = landlock_version();
   if (version < 1) return false;
   const std::uint64_t handled = kAllVersion1 | (version >= 2 ? kRefer : 0) | (version >= 3 ? kTruncate : 0);
   const LandlockRuleset rules{handled};
@@ -255,7 +258,7 @@ Confinement possible_confinement() {
   Confinement possible;
   if (kInstrumented) return possible;
   const std::uint32_t refuse = SECCOMP_RET_ERRNO;
-  possible.files = ::syscall(kCreateRuleset, nullptr, 0, 1) >= 1;
+  possible.files = landlock_version() >= 1;
   possible.calls = kArchitecture != 0 && ::syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &refuse) == 0;
   return possible;
 }

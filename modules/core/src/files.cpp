@@ -16,19 +16,6 @@
 
 namespace glisson {
 namespace fs = std::filesystem;
-namespace {
-
-struct Opened {
-  explicit Opened(int opened) : descriptor(opened) {}
-  ~Opened() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-  const int descriptor;
-};
-
-}  // namespace
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -43,18 +30,18 @@ std::string read_file(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw FileError(path.string() + ": is a folder. Name a file in it.");
   // A pipe that nobody writes to is at its end at once, where opening it would wait for one who does.
-  const Opened file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.descriptor < 0)
+  const Claim file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.descriptor() < 0)
     throw FileError(path.string() + ": cannot be opened (" + std::strerror(errno) + "). Check the path.");
   // A pipe or a device has no size and perhaps no end: counted while it is read.
   constexpr std::size_t kMostBytes = 4'000'000'000;
   std::string content;
   std::vector<char> part(1 << 20);
   for (;;) {
-    const ssize_t got = ::read(file.descriptor, part.data(), part.size());
+    const ssize_t got = ::read(file.descriptor(), part.data(), part.size());
     if (got == 0) return content;
     if (got < 0 && errno == EAGAIN) {
-      pollfd waited{file.descriptor, POLLIN, 0};
+      pollfd waited{file.descriptor(), POLLIN, 0};
       if (::poll(&waited, 1, -1) > 0) continue;
     }
     if (got < 0) throw FileError(path.string() + ": could not be read to its end. Check the disk.");

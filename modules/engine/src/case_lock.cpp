@@ -61,18 +61,22 @@ std::string written(const CaseOwner& owner) {
          "\n";
 }
 
-/// @param names receives by how many names it is known.
-bool is_plain_file(int descriptor, nlink_t& names) {
+bool is_plain_file(int descriptor) {
   struct stat status {};
-  const bool is_plain = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-  names = status.st_nlink;
-  return is_plain;
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// Empty: nothing is said, or nothing that makes sense. @param size receives how much is said.
-std::optional<CaseOwner> read_owner(int descriptor, ssize_t& size) {
+/// Whether it is a lock, or empty, and no other name of another file: whatever else it is, it is not written
+/// over.
+bool may_be_written(int descriptor, bool says_who) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && status.st_nlink == 1 && (says_who || status.st_size == 0);
+}
+
+/// Empty: nothing is said, or nothing that makes sense.
+std::optional<CaseOwner> read_owner(int descriptor) {
   std::array<char, 4096> text{};
-  size = ::pread(descriptor, text.data(), text.size(), 0);
+  const ssize_t size = ::pread(descriptor, text.data(), text.size(), 0);
   if (size <= 0) return {};
   const json document = json::parse(text.data(), text.data() + size, nullptr, false);
   try {
@@ -128,7 +132,7 @@ CaseLock::~CaseLock() {
 
 std::shared_ptr<const CaseLock> CaseLock::take(const fs::path& folder, std::optional<CaseOwner>& owner) {
   const fs::path file = lock_file_of(folder);
-  const CaseOwner here = this_process();
+  const CaseOwner here = this_process(), nobody{.is_there = false};
   for (int trial = 0; trial < kTrials; ++trial) {
     // A pipe that somebody has put there would be waited for without an end.
     constexpr int kFlags = O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK;
@@ -137,26 +141,22 @@ std::shared_ptr<const CaseLock> CaseLock::take(const fs::path& folder, std::opti
     const bool is_anothers = descriptor < 0 && errno == EACCES;
     if (is_anothers) descriptor = ::open(file.c_str(), O_RDONLY | kFlags);
     Claim claim(descriptor);
-    nlink_t names = 0;
-    owner = CaseOwner{.is_there = false};
-    if (claim.descriptor() < 0 || !is_plain_file(claim.descriptor(), names)) return nullptr;
+    owner = nobody;
+    if (claim.descriptor() < 0 || !is_plain_file(claim.descriptor())) return nullptr;
     const bool held = claim.take();
     const bool kernel_knows = held || errno == EWOULDBLOCK;
     if (!claim.is_at(file)) continue;  // whoever had it has just removed it
-    ssize_t said = 0;
-    const auto writer = read_owner(claim.descriptor(), said);
+    const auto writer = read_owner(claim.descriptor());
     owner = writer.value_or(CaseOwner{});
     if (!held && kernel_knows) return nullptr;
     if (writer && may_be_alive(*writer, here, kernel_knows)) return nullptr;
-    // No lock of ours, or another name of another file: whatever it is, it is not written over.
-    if (names > 1 || (said > 0 && !writer)) return nullptr;
+    if (!may_be_written(claim.descriptor(), writer.has_value())) return nullptr;
+    owner = nobody;
     if (is_anothers) {  // left behind: in the folder, which is everybody's, it is made anew
       std::error_code failure;
-      owner = CaseOwner{.is_there = false};
       if (!fs::remove(file, failure)) return nullptr;
       continue;
     }
-    owner = CaseOwner{.is_there = false};
     if (!write_owner(claim.descriptor(), here)) return nullptr;
     owner.reset();
     return std::shared_ptr<const CaseLock>(new CaseLock(folder, file, std::move(claim)));
