@@ -8,6 +8,12 @@
 #   because it works on millions of voxels, pixels or points itself: of others half the compiler's time would go into
 #   code that runs once.
 
+# Rooms that read what others wrote. With GLISSON_FUZZ libFuzzer is told of each branch in them, and only in them: what
+# computes keeps its pace, and all tests can run in the same build. (-fsanitize=fuzzer-no-link says the same, but Clang
+# takes no precompiled header then that was compiled without it.)
+set(GLISSON_FUZZED_ROOMS core geometry network engine)
+set(GLISSON_FUZZED -fsanitize-coverage=inline-8bit-counters,pc-table,indirect-calls,trace-cmp)
+
 # Every unit of a target reads what the owner of a precompiled header built.
 function(_glisson_reuse_pch target owner)
   if(TARGET ${owner})
@@ -23,6 +29,9 @@ function(_glisson_library prefix pch)
   target_include_directories(${target} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include"
                                        PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${ARG_PUBLIC} PRIVATE glisson_flags ${ARG_PRIVATE})
+  if(GLISSON_FUZZ AND ARG_NAME IN_LIST GLISSON_FUZZED_ROOMS)
+    target_compile_options(${target} PRIVATE ${GLISSON_FUZZED})
+  endif()
   if(NOT ARG_NO_PCH)
     _glisson_reuse_pch(${target} ${pch})
   endif()
