@@ -28,6 +28,7 @@
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/source.h"
 #include "rendered_pair.h"
+#include "text_calibration.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -193,7 +194,7 @@ void CaseStereoTest::ACalibrationOfWholeViewsFitsACroppedSource() {
   source.crop = {40, 20, 320, 400};
   stereo::write_source(folder_.path() / "cropped.json", source);
   fs::create_directories(folder_.path() / "text");
-  stereo::write_text_calibration(folder_.path() / "text", whole);
+  test::write_text_calibration(folder_.path() / "text", whole);
   for (const char* calibration : {"scope.yaml", "text"}) {
     const auto maker = engine();
     const CaseState state = after(*maker, {SetVideo{folder_.path() / "cropped.json", {}}, LoadVideoFrame{0},

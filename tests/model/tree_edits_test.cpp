@@ -55,8 +55,23 @@ double length_mm(const VesselTree& tree) {
   return sum;
 }
 
+model::BuiltModel built_with(const std::vector<VesselTree>& trees) {
+  model::BuiltModel built;
+  built.model.vessels = trees;
+  built.model.mesh.vertices.resize(4, 3);  // around everything
+  built.model.mesh.vertices << -1, -1, -1, 4, -1, -1, -1, 4, -1, -1, -1, 4;
+  built.model.mesh.tetrahedra.resize(1, 4);
+  built.model.mesh.tetrahedra << 0, 1, 2, 3;
+  return built;
+}
+
+std::vector<VesselTree> edited_trees(const std::vector<VesselTree>& trees,
+                                     const std::vector<TreeEdit>& edits) {
+  return model::with_tree_edits(built_with(trees), edits).model.vessels;
+}
+
 std::string complaint(const std::vector<VesselTree>& trees, const TreeEdit& edit) {
-  return test::complaint([&] { model::edited_trees(trees, {edit}); });
+  return test::complaint([&] { edited_trees(trees, {edit}); });
 }
 
 }  // namespace
@@ -84,7 +99,7 @@ class TreeEditsTest : public QObject {
 };
 
 void TreeEditsTest::RootMovesAndBeamsLeadAwayFromIt() {
-  const auto trees = model::edited_trees({fork({0, 0, 0})}, {{Kind::set_root, mm(-29, 1, 40)}});
+  const auto trees = edited_trees({fork({0, 0, 0})}, {{Kind::set_root, mm(-29, 1, 40)}});
   QCOMPARE(trees.size(), std::size_t{1});
   require_tree(trees[0]);
   QVERIFY((trees[0].nodes.row(0).transpose() - mm(-30, 0, 40)).norm() < 1e-12);
@@ -94,22 +109,21 @@ void TreeEditsTest::RootMovesAndBeamsLeadAwayFromIt() {
 
 void TreeEditsTest::PruningTakesTheBranchWithAllThatHangsOnIt() {
   for (const double x : {10.0, 20.0, 30.0}) {  // wherever the branch is picked
-    const auto trees = model::edited_trees({fork({0, 0, 0})}, {{Kind::prune, mm(x, 0, 40)}});
+    const auto trees = edited_trees({fork({0, 0, 0})}, {{Kind::prune, mm(x, 0, 40)}});
     require_tree(trees.at(0));
     QVERIFY(std::abs(length_mm(trees[0]) - 70) < 1e-9);
     QVERIFY(trees[0].nodes.col(0).maxCoeff() < 1e-9);
   }
   // From a root on the left, the branch to the right is what hangs on the fork there.
   const auto trees =
-      model::edited_trees({fork({0, 0, 0})}, {{Kind::set_root, mm(-30, 0, 40)}, {Kind::prune, mm(0, 0, 20)}});
+      edited_trees({fork({0, 0, 0})}, {{Kind::set_root, mm(-30, 0, 40)}, {Kind::prune, mm(0, 0, 20)}});
   require_tree(trees.at(0));
   QVERIFY(std::abs(length_mm(trees[0]) - 60) < 1e-9);
 }
 
 void TreeEditsTest::PruningTheTrunkTakesTheTree() {
   for (const double z : {0.0, 20.0, 30.0}) {  // clearly before the fork
-    const auto trees =
-        model::edited_trees({fork({0, 0, 0}), fork({100, 0, 0})}, {{Kind::prune, mm(0, 0, z)}});
+    const auto trees = edited_trees({fork({0, 0, 0}), fork({100, 0, 0})}, {{Kind::prune, mm(0, 0, z)}});
     QCOMPARE(trees.size(), std::size_t{1});
     QVERIFY(trees[0].nodes.col(0).minCoeff() > 0.05);
   }
@@ -148,7 +162,7 @@ void TreeEditsTest::AClickAtAForkTakesTheChildMeant() {
   QVERIFY(std::abs(length_mm(cut.part) - goes) < 1e-9);
   require_tree(cut.part);
   QVERIFY(std::abs(1e3 * cut.part.nodes.col(0).minCoeff() - left) < 1e-9);
-  const auto rest = model::edited_trees({tree}, {{Kind::prune, mm(x, 0, z)}});
+  const auto rest = edited_trees({tree}, {{Kind::prune, mm(x, 0, z)}});
   QCOMPARE(rest.empty(), cut.whole_tree);
   if (!rest.empty()) {
     require_tree(rest[0]);
@@ -173,7 +187,7 @@ void TreeEditsTest::ACutIsToldBeforeItIsMade() {
 void TreeEditsTest::JoinHangsOneTreeOnTheOther() {
   // From the first tree's right tip (30, 0, 40) to the second one's left tip (60, 0, 40).
   const auto trees =
-      model::edited_trees({fork({0, 0, 0}), fork({90, 0, 0})}, {{Kind::join, mm(30, 0, 40), mm(60, 0, 40)}});
+      edited_trees({fork({0, 0, 0}), fork({90, 0, 0})}, {{Kind::join, mm(30, 0, 40), mm(60, 0, 40)}});
   QCOMPARE(trees.size(), std::size_t{1});
   require_tree(trees[0]);
   QVERIFY(std::abs(length_mm(trees[0]) - 230) < 1e-9);
@@ -192,7 +206,7 @@ void TreeEditsTest::JoiningAtTellsWhatAJoinHangsAndWhatForbidsIt() {
   QCOMPARE(told.hangs, std::size_t{1});
   QVERIFY(std::abs(told.link - 0.030) < 1e-12);
   // What was told is what is new in the joined tree, and no more.
-  const auto joined = model::edited_trees(trees, {{Kind::join, at, to}});
+  const auto joined = edited_trees(trees, {{Kind::join, at, to}});
   QCOMPARE(joined[0].nodes.rows(), trees[0].nodes.rows() + told.part.nodes.rows() - 1);
   QCOMPARE(joined[0].beams.size(), trees[0].beams.size() + told.part.beams.size());
   for (Eigen::Index i = 0; i < told.part.nodes.rows(); ++i)
@@ -208,12 +222,7 @@ void TreeEditsTest::JoiningAtTellsWhatAJoinHangsAndWhatForbidsIt() {
 }
 
 void TreeEditsTest::JoinIsUndoneByReplayingWithoutIt() {
-  model::BuiltModel built;
-  built.model.vessels = {fork({0, 0, 0}), fork({90, 0, 0})};
-  built.model.mesh.vertices.resize(4, 3);  // around everything
-  built.model.mesh.vertices << -1, -1, -1, 4, -1, -1, -1, 4, -1, -1, -1, 4;
-  built.model.mesh.tetrahedra.resize(1, 4);
-  built.model.mesh.tetrahedra << 0, 1, 2, 3;
+  model::BuiltModel built = built_with({fork({0, 0, 0}), fork({90, 0, 0})});
   built.report.notes = {"vessels.beams 20", "liver.pieces_dropped 1 ml 0.2"};
   const TreeEdit join{Kind::join, mm(30, 0, 40), mm(60, 0, 40)}, prune{Kind::prune, mm(-20, 0, 40)};
   const model::BuiltModel both = model::with_tree_edits(built, {prune, join});
@@ -234,14 +243,14 @@ void TreeEditsTest::JoinIsUndoneByReplayingWithoutIt() {
 void TreeEditsTest::EditsFollowOneAnother() {
   // The second edit finds what the first has left.
   const auto trees =
-      model::edited_trees({fork({0, 0, 0})}, {{Kind::prune, mm(20, 0, 40)}, {Kind::prune, mm(18, 0, 40)}});
+      edited_trees({fork({0, 0, 0})}, {{Kind::prune, mm(20, 0, 40)}, {Kind::prune, mm(18, 0, 40)}});
   QVERIFY(trees.empty());  // nearest to (18, 0, 40) is now where the fork was: one line from root to tip
 }
 
 void TreeEditsTest::FarFromEveryVesselIsRefused() {
   const std::string text = complaint({fork({0, 0, 0})}, {Kind::prune, mm(0, 50, 0)});
   QVERIFY(text.find("edit 1 (prune)") != std::string::npos && text.find("50 mm") != std::string::npos);
-  QVERIFY_THROWS_EXCEPTION(InputError, model::edited_trees({}, {{Kind::set_root, mm(0, 0, 0)}}));
+  QVERIFY_THROWS_EXCEPTION(InputError, edited_trees({}, {{Kind::set_root, mm(0, 0, 0)}}));
 }
 
 void TreeEditsTest::LoopIsRefused() {

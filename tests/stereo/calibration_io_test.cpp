@@ -10,9 +10,11 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "mutant.h"
+#include "text_calibration.h"
 
 using namespace glisson;
 using namespace glisson::stereo;
+using test::write_text_calibration;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/reconstruct.h"
+#include "picture_cv.h"
 #include "rendered_pair.h"
 #include "retimed.h"
 #include "stream_views.h"
@@ -207,7 +208,7 @@ class SourceTest : public QObject {
       std::copy_n(second.bytes->begin() + y * 64 * 3, 64 * 3, bytes->begin() + y * 64 * 3);
     const Picture combed{64, 48, 3, bytes};
     QVERIFY(difference(combed, first) > 20.0);
-    QVERIFY(difference(deinterlaced(combed), first) < 0.6);
+    QVERIFY(difference(to_picture(one_field(stereo::view(combed), 0)), first) < 0.6);
   }
 
   void CropIsOfEachViewAndMovesTheCalibration() {

@@ -191,7 +191,6 @@ const TheatreFigures& Theatre::figures() const { return impl_->motion.figures();
 const StereoRig& Theatre::rig() const { return impl_->rig; }
 const CameraFromCt& Theatre::camera_from_ct() const { return impl_->camera_from_ct; }
 const TetMesh& Theatre::mesh() const { return impl_->mesh; }
-const TriangleMesh& Theatre::liver_surface() const { return impl_->liver; }
 const Landmarks& Theatre::landmarks() const { return impl_->landmarks; }
 const std::vector<Target>& Theatre::targets() const { return impl_->targets; }
 int Theatre::frame_count() const { return impl_->options.frames; }

@@ -319,11 +319,6 @@ Joining joining_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& 
   return joining(trees, nearest(trees, at, complaint), nearest(trees, to, complaint));
 }
 
-std::vector<VesselTree> edited_trees(std::vector<VesselTree> trees, const std::vector<TreeEdit>& edits) {
-  for (std::size_t i = 0; i < edits.size(); ++i) apply(trees, edits[i], {i, edits[i].kind});
-  return trees;
-}
-
 BuiltModel with_tree_edits(const BuiltModel& built, std::vector<TreeEdit> edits) {
   const std::vector<VesselTree>& base = built.tree_edits.empty() ? built.model.vessels : built.trees_as_built;
   BuiltModel result = built;

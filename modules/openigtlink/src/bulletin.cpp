@@ -63,12 +63,13 @@ std::set<std::string> shown_in(const SentModel* model, const OverlayFrame& frame
   return names;
 }
 
-}  // namespace
-
+/// What STRING and STATUS say.
 std::string level_text(const OverlayFrame& frame) {
   return std::string("level=") + level_code(frame.level()) + " reason=" + validity_code(frame.validity) +
          " frame=" + std::to_string(frame.index) + " doubtful=" + (frame.doubtful ? "yes" : "no");
 }
+
+}  // namespace
 
 void Bulletin::compose(const SentModel* model, const OverlayFrame& told, double epoch) {
   const OverlayFrame frame = honest(model, told);

@@ -28,6 +28,22 @@ Eigen::Matrix<double, Size, 1> numbers(const json& object, const char* field) {
   return result;
 }
 
+const char* stereo_view_code(StereoView view) { return view == StereoView::left ? "left" : "right"; }
+
+const char* corrected_feature_code(CorrectedFeature feature) {
+  switch (feature) {
+    case CorrectedFeature::surface:
+      return "surface";
+    case CorrectedFeature::margin:
+      return "anterior_margin";
+    case CorrectedFeature::notch:
+      return "umbilical_notch";
+    case CorrectedFeature::vessel:
+      return "vessel";
+  }
+  return "unknown";
+}
+
 CorrectionLine line_of(const json& object) {
   CorrectionLine line;
   line.frame = whole_number(object, "frame");
@@ -54,22 +70,6 @@ CorrectionLine line_of(const json& object) {
 }
 
 }  // namespace
-
-const char* stereo_view_code(StereoView view) { return view == StereoView::left ? "left" : "right"; }
-
-const char* corrected_feature_code(CorrectedFeature feature) {
-  switch (feature) {
-    case CorrectedFeature::surface:
-      return "surface";
-    case CorrectedFeature::margin:
-      return "anterior_margin";
-    case CorrectedFeature::notch:
-      return "umbilical_notch";
-    case CorrectedFeature::vessel:
-      return "vessel";
-  }
-  return "unknown";
-}
 
 void Correction::validate() const {
   const OptionCheck demand("correction");

@@ -186,6 +186,24 @@ Eigen::Matrix<double, 6, 1> pose_of(const BoardView& view, int width) {
   return pose;
 }
 
+/// Inner corners of the chessboard that the picture shows, whatever its size; empty: none is seen. What tells
+/// a wrong `columns` or `rows` from a picture without a board.
+std::optional<std::pair<int, int>> chessboard_size(const Picture& picture) {
+  const cv::Mat image = grey(picture);
+  std::optional<std::pair<int, int>> best;
+  // From a few seeds: the detector sometimes grows only a part of the board.
+  for (const int normalise : {0, cv::CALIB_CB_NORMALIZE_IMAGE + 0})
+    for (const cv::Size seed : {cv::Size(4, 4), cv::Size(5, 4), cv::Size(7, 5)}) {
+      cv::Mat found, meta;
+      if (!cv::findChessboardCornersSB(image, seed, found,
+                                       cv::CALIB_CB_LARGER | cv::CALIB_CB_EXHAUSTIVE | normalise, meta))
+        continue;
+      if (best && best->first * best->second >= meta.cols * meta.rows) continue;
+      best = {std::max(meta.cols, meta.rows), std::min(meta.cols, meta.rows)};
+    }
+  return best;
+}
+
 }  // namespace
 
 void Board::validate() const {
@@ -213,22 +231,6 @@ std::optional<BoardCorners> find_board(const Picture& picture, const Board& boar
   board.validate();
   const cv::Mat image = grey(picture);
   return board.charuco() ? find_charuco(image, board) : find_chessboard(image, board);
-}
-
-std::optional<std::pair<int, int>> chessboard_size(const Picture& picture) {
-  const cv::Mat image = grey(picture);
-  std::optional<std::pair<int, int>> best;
-  // From a few seeds: the detector sometimes grows only a part of the board.
-  for (const int normalise : {0, cv::CALIB_CB_NORMALIZE_IMAGE + 0})
-    for (const cv::Size seed : {cv::Size(4, 4), cv::Size(5, 4), cv::Size(7, 5)}) {
-      cv::Mat found, meta;
-      if (!cv::findChessboardCornersSB(image, seed, found,
-                                       cv::CALIB_CB_LARGER | cv::CALIB_CB_EXHAUSTIVE | normalise, meta))
-        continue;
-      if (best && best->first * best->second >= meta.cols * meta.rows) continue;
-      best = {std::max(meta.cols, meta.rows), std::min(meta.cols, meta.rows)};
-    }
-  return best;
 }
 
 BoardViews::BoardViews(const Board& board) : board_(board) { board_.validate(); }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -114,15 +113,6 @@ std::optional<bool> left_to_right(const fs::path& transform) {
   return std::nullopt;
 }
 
-std::string text_of(const Eigen::MatrixXd& matrix) {
-  std::ostringstream text;
-  text << std::setprecision(17);
-  for (Eigen::Index r = 0; r < matrix.rows(); ++r)
-    for (Eigen::Index c = 0; c < matrix.cols(); ++c)
-      text << matrix(r, c) << (c + 1 < matrix.cols() ? ' ' : '\n');
-  return text.str();
-}
-
 }  // namespace
 
 StereoRig read_text_calibration(const fs::path& folder, int width, int height, LengthUnit unit) {
@@ -151,19 +141,6 @@ StereoRig read_text_calibration(const fs::path& folder, int width, int height, L
       maps_left_to_right ? translation : Eigen::Vector3d(-(rotation.transpose() * translation));
   check_rig(name, rig);
   return rig;
-}
-
-void write_text_calibration(const fs::path& folder, const StereoRig& rig) {
-  for (const auto& [side, camera] :
-       {std::pair<const char*, const Camera*>{"left", &rig.left}, {"right", &rig.right}}) {
-    const std::string start = std::string("calib.") + side;
-    write_file_atomically(folder / (start + ".intrinsics.txt"), text_of(camera->matrix));
-    write_file_atomically(folder / (start + ".distortion.txt"), text_of(camera->distortion.transpose()));
-  }
-  Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
-  transform.topLeftCorner<3, 3>() = rig.right_from_left.rotation;
-  transform.topRightCorner<3, 1>() = 1e3 * rig.right_from_left.translation;
-  write_file_atomically(folder / "calib.l2r.txt", text_of(transform));
 }
 
 }  // namespace glisson::stereo

@@ -11,7 +11,8 @@ namespace glisson::stereo {
 cv::Mat view(const Picture& picture);
 /// Copies an 8-bit image of 1 or 3 channels.
 Picture to_picture(const cv::Mat& image);
-/// The rows of one field (first 0: even, 1: odd), those between interpolated. 8 bit.
+/// The rows of one field (first 0: even, 1: odd), those between interpolated (cubic) from them: where
+/// something moves, the two fields show it in two places. 8 bit.
 cv::Mat one_field(const cv::Mat& image, int first);
 /// One channel, 8 bit.
 cv::Mat grey(const Picture& picture);

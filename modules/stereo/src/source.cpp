@@ -203,6 +203,4 @@ cv::Mat one_field(const cv::Mat& image, int first) {
   return result;
 }
 
-Picture deinterlaced(const Picture& picture) { return to_picture(one_field(view(picture), 0)); }
-
 }  // namespace glisson::stereo

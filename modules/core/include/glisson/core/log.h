@@ -17,9 +17,6 @@ class Log {
   Log() = default;
   explicit Log(Sink sink, LogLevel threshold = LogLevel::info);
 
-  /// A log on standard error.
-  static Log to_standard_error(LogLevel threshold = LogLevel::warning);
-
   void write(LogLevel level, std::string_view line) const;
 
  private:

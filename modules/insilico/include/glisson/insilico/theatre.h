@@ -114,9 +114,8 @@ class Theatre {
   /// From now on the camera moves so. Truths and pictures are in the camera's frame of their moment.
   /// @throws InputError naming the option.
   void move_scope(const ScopePath& path);
-  const TetMesh& mesh() const;                ///< rest shape, CT frame
-  const TriangleMesh& liver_surface() const;  ///< fine, closed, rest shape, CT frame: what is drawn
-  const Landmarks& landmarks() const;         ///< the patient's, completed; CT frame, rest
+  const TetMesh& mesh() const;         ///< rest shape, CT frame
+  const Landmarks& landmarks() const;  ///< the patient's, completed; CT frame, rest
   const std::vector<Target>& targets() const;
   int frame_count() const;
   double seconds(int frame) const;

@@ -46,13 +46,10 @@ struct Joining {
 Joining joining_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at,
                    const Eigen::Vector3d& to);
 
-/// The trees after the edits, one after the other. Node 0 of a changed tree is its root.
+/// The model with its trees as they were built, edited anew, one edit after the other; everything else stays.
+/// Node 0 of a changed tree is its root.
 /// @throws InputError naming the edit by its number: no vessel within 20 mm; join: two places of one tree
 /// (that would close a loop), vessels of two kinds, or more than 60 mm apart.
-std::vector<VesselTree> edited_trees(std::vector<VesselTree> trees, const std::vector<TreeEdit>& edits);
-
-/// The model with its trees as they were built, edited anew; everything else stays.
-/// @throws InputError as edited_trees().
 BuiltModel with_tree_edits(const BuiltModel& built, std::vector<TreeEdit> edits);
 
 /// JSON: {"frame": "LPS", "unit": "mm", "edits": [{"edit": "prune", "at": [x, y, z]}, {"edit": "join",

@@ -47,7 +47,7 @@ struct SenderState {
 
 /// A server of OpenIGTLink: tells 3D Slicer, CustusX, PLUS or whoever connects what is known of each frame,
 /// from a thread of its own. Messages (millimetres, time stamp of the frame):
-///   STATUS, STRING "GlissonLevel"   the level and its reason
+///   STATUS, STRING "GlissonLevel"   "level=degraded reason=partly_covered frame=12 doubtful=no"
 ///   TRANSFORM "LeftCameraToCtRas"   pose of the left camera (OpenCV's axes) in the CT, whose axes are RAS
 ///   POLYDATA, one a structure       its surface as deformed, in the left camera's frame
 /// What the window would not draw is not sent: a withdrawn frame has neither pose nor surfaces, a degraded
@@ -80,8 +80,5 @@ class Sender {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// What STRING and STATUS say: "level=degraded reason=partly_covered frame=12 doubtful=no".
-std::string level_text(const OverlayFrame& frame);
 
 }  // namespace glisson::openigtlink

@@ -16,13 +16,11 @@ namespace glisson {
 /// One of the laparoscope's two pictures.
 enum class StereoView { left, right };
 inline constexpr StereoView kStereoViews[] = {StereoView::left, StereoView::right};
-const char* stereo_view_code(StereoView view);
 
 /// What of the organ was taken hold of.
 enum class CorrectedFeature { surface, margin, notch, vessel };
 inline constexpr CorrectedFeature kCorrectedFeatures[] = {CorrectedFeature::surface, CorrectedFeature::margin,
                                                           CorrectedFeature::notch, CorrectedFeature::vessel};
-const char* corrected_feature_code(CorrectedFeature feature);
 
 /// Somebody sees a place of the organ elsewhere than it is drawn. It says where along two directions of the
 /// picture, and nothing of the depth.

@@ -20,7 +20,7 @@ struct Board {
 
   int corners() const { return columns * rows; }
   bool charuco() const { return !dictionary.empty(); }
-  /// Corner `id` (row by row), metres, z = 0.
+  /// Corner `id` (row by row) in the board's own frame, metres, z = 0.
   Eigen::Vector3d corner(int id) const {
     const int row = id / columns;
     return {(id - row * columns) * square, row * square, 0.0};
@@ -41,10 +41,6 @@ struct BoardCorners {
 /// the classic one and fits a camera better; markers and interpolation for ChArUco.
 /// @return empty where the board is not seen whole (ChArUco: fewer than 6 corners). About 1 s at 1920x1080.
 std::optional<BoardCorners> find_board(const Picture& picture, const Board& board);
-
-/// Inner corners of the chessboard that the picture shows, whatever its size; empty: none is seen. What tells
-/// a wrong `columns` or `rows` from a picture without a board.
-std::optional<std::pair<int, int>> chessboard_size(const Picture& picture);
 
 /// One board before both cameras.
 struct BoardView {

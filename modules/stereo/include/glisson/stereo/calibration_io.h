@@ -47,8 +47,5 @@ StereoRig read_calibration_for(const std::filesystem::path& path, int width, int
 /// right_): so many per cent of the picture, from the edges on, have no ray, because the distortion's
 /// polynomial turns back before.
 std::vector<std::string> calibration_doubts(const StereoRig& rig);
-/// Writes calib.{left,right}.{intrinsics,distortion}.txt and calib.l2r.txt, millimetres, into an existing
-/// folder.
-void write_text_calibration(const std::filesystem::path& folder, const StereoRig& rig);
 
 }  // namespace glisson::stereo

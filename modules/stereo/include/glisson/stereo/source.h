@@ -80,10 +80,6 @@ std::optional<Cut> cut_of(const std::filesystem::path& video, int width, int hei
 /// point.
 StereoRig cropped(const StereoRig& rig, const Crop& crop);
 
-/// The first field (even rows), with the odd rows interpolated (cubic) from it: where something moves, the
-/// two fields show it in two places.
-Picture deinterlaced(const Picture& picture);
-
 /// What the laparoscope shows: a disk before black; an ellipse where the pixels are not square.
 struct ScopeCircle {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< pixels

@@ -19,8 +19,6 @@ class ViewBar : public QWidget {
   explicit ViewBar(ViewState& state, QWidget* parent = nullptr);
 
   QAction* preset_action(WindowPreset preset) const { return presets_.at(preset); }
-  /// Checked: a slab's brightest is shown.
-  QAction* slab_action() const { return slab_; }
   /// Takes zoom and shift of the slices away.
   QAction* whole_action() const { return whole_; }
   /// Checked: one view fills the place of all.
