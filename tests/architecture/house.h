@@ -26,6 +26,7 @@ using Rooms = std::set<std::string>;
 struct Plan {
   std::map<std::string, Rooms> sees;  ///< of each room, beside itself
   Rooms millimetres;                  ///< rooms with names in _mm in their public headers
+  Rooms any_frame;                    ///< rooms whose points are in whichever frame their caller's are
 };
 
 /// @throws std::runtime_error with the line: neither ":" nor "=", a room twice, a room that no line before
@@ -57,6 +58,7 @@ inline Plan read_plan(std::istream& stream) {
     (sign == ":" ? plan.sees : lists)[name] = rooms;
   }
   plan.millimetres = lists["millimetres"];
+  plan.any_frame = lists["any_frame"];
   return plan;
 }
 
@@ -112,12 +114,16 @@ inline std::map<std::string, std::vector<std::filesystem::path>> public_headers(
   return headers;
 }
 
-/// A source's code without comments and strings; lines stay lines.
-inline std::string code_of(const std::filesystem::path& path) {
-  static const std::regex kProse("//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"");
+inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream stream(path);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Source text without comments and strings; lines stay lines.
+inline std::string code_in(const std::string& text) {
+  static const std::regex kProse("//[^\\n]*|\"(\\\\.|[^\"\\\\\\n])*\"");
   return std::regex_replace(text, kProse, "");
 }
+inline std::string code_of(const std::filesystem::path& path) { return code_in(text_of(path)); }
 
 }  // namespace glisson::house

@@ -136,12 +136,14 @@ void HouseTest::MillimetresAreNamedWhereThePlanSaysSo() {
 }
 
 void HouseTest::ListsStandForTheirRooms() {
-  const Plan plan =
-      plan_of("core :\nvolume : core  # voxels\n\nBOTH = core volume\nfem : BOTH\nmillimetres = volume\n");
+  const Plan plan = plan_of(
+      "core :\nvolume : core  # voxels\n\nBOTH = core volume\nfem : BOTH\nmillimetres = volume\n"
+      "any_frame = fem\n");
   QCOMPARE(plan.sees.size(), std::size_t{3});
   QVERIFY(plan.sees.at("core").empty());
   QVERIFY((plan.sees.at("fem") == Rooms{"core", "volume"}));
   QVERIFY(plan.millimetres == Rooms{"volume"});
+  QVERIFY(plan.any_frame == Rooms{"fem"});
 }
 
 void HouseTest::BrokenPlansAreRefused() {

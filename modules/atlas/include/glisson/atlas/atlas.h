@@ -19,17 +19,22 @@
 
 namespace glisson::atlas {
 
+/// The mean liver's frame: CT axes, metres, the members' mean origin and size.
+struct MeanFrame {
+  static constexpr const char* kName = "mean";
+};
+
 /// Where a structure lies on the mean liver, and how far from there it was found on livers that had no part
 /// in the prediction. K = point_count(structure).
 struct StructureStatistics {
   Structure structure = Structure::umbilical_notch;
   std::string origin;  ///< name of the atlas whose members show it: another one's where it was taken over
   std::vector<std::string> members;  ///< that show it
-  Points mean;                       ///< K x 3, the mean liver's frame, metres
+  PointsIn<MeanFrame> mean;          ///< K x 3, metres
   /// Change of the K points (x0 y0 z0 x1 ...) per deviation of each of the first modes, metres. May have no
   /// column.
   Eigen::MatrixXd slopes;
-  std::vector<Points> residuals;  ///< one a member: truth - prediction without it, metres
+  std::vector<PointsIn<MeanFrame>> residuals;  ///< one a member: truth - prediction without it, metres
   /// Deviation in any direction that the members do not show (metres): a population of synthetic livers is
   /// more regular than patients are.
   double added_deviation = 0.0;
@@ -49,7 +54,7 @@ struct AtlasMember {
   double mean_distance = 0.0;  ///< metres, of its correspondence
 };
 
-/// What is known of livers. Its frame, the mean's: CT axes, metres, the members' mean origin and size.
+/// What is known of livers, in the mean's frame.
 struct Atlas {
   std::string name;
   Triangles triangles;  ///< of the mean's surface
@@ -64,9 +69,9 @@ struct Atlas {
   const StructureStatistics* find(Structure structure) const;
 };
 
-/// How far a shape in the mean's frame lies from the model: root of the mean over modes and what they leave
-/// of (distance / deviation)^2. About 1 for a member.
-double unusual(const ShapeModel& model, const Points& shape);
+/// How far a shape lies from the model: root of the mean over modes and what they leave of
+/// (distance / deviation)^2. About 1 for a member.
+double unusual(const ShapeModel& model, const PointsIn<MeanFrame>& shape);
 
 /// The covariance of one point of a structure (mean's frame, m2), so scaled that the 95 % ellipsoid of a
 /// normal distribution holds 95 % although few livers show it (Hotelling 1931).

@@ -17,7 +17,7 @@ struct Member {
   TriangleMesh liver;
   /// Lines in order, single points, and what touches (vena_cava, gallbladder_bed) as points of the contact in
   /// any order. What is absent is unknown.
-  std::map<Structure, Points> structures;
+  std::map<Structure, PointsIn<CtFrame>> structures;
 };
 
 /// What a patient's model shows: the liver's fine surface; where the vena cava, the gallbladder and the

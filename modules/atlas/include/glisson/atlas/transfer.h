@@ -29,10 +29,10 @@ const char* decision_code(Decision decision);
 /// A structure where it should lie on the patient's liver. CT frame, metres.
 struct Proposal {
   Structure structure = Structure::umbilical_notch;
-  Points points;                             ///< K x 3, ordered
+  PointsIn<CtFrame> points;                  ///< K x 3, ordered
   std::vector<Eigen::Matrix3d> covariances;  ///< one a point, m2; 95 % within kEllipsoid95
   std::vector<Source> sources;               ///< one a point
-  Points area;                               ///< areas: points of the contact; else none
+  PointsIn<CtFrame> area;                    ///< areas: points of the contact; else none
   int members = 0;                           ///< livers behind the statistics
   std::string origin;                        ///< of the statistics: an atlas' name
   Decision decision = Decision::proposed;
@@ -46,7 +46,7 @@ struct Proposal {
 /// An atlas laid on a patient's liver, and what it proposes there. CT frame.
 struct Transfer {
   std::string atlas;                               ///< its name
-  Points surface;                                  ///< the atlas' mean on the patient's liver, metres
+  PointsIn<CtFrame> surface;                       ///< the atlas' mean on the patient's liver, metres
   double mean_distance = 0.0, max_distance = 0.0;  ///< metres, between it and the liver
   Eigen::VectorXd modes;                           ///< coefficients over their deviations
   double unusual = 0.0;                            ///< over what is usual: above 1 the ellipsoids grow by it
@@ -56,8 +56,8 @@ struct Transfer {
 
 /// What the patient's own image shows of the structures; absent: it does not.
 struct Evidence {
-  std::map<Structure, Points> found;  ///< as in Member
-  Points ridge;                       ///< the detected part of the anterior margin, ordered; may be empty
+  std::map<Structure, PointsIn<CtFrame>> found;  ///< as in Member
+  PointsIn<CtFrame> ridge;  ///< the detected part of the anterior margin, ordered; may be empty
 };
 /// Of a model: contacts and the portal vein's entrance, and the detected ridge.
 Evidence evidence_of(const PatientModel& model);

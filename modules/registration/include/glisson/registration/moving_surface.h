@@ -56,6 +56,7 @@ class MovingSurface {
   /// Whether points of this feature have a part of their own. The surface always has.
   bool has(Feature feature) const { return !tree(feature).empty(); }
   /// Closest point on the feature's part; on the whole surface where the model lacks the landmark.
+  /// @param p in the nodes' frame.
   /// @param near the triangle of an earlier answer for this feature, which the new one is near to; -1: none.
   /// The answer is the same.
   ClosestPoint closest(Feature feature, const Eigen::Vector3d& p, int near = -1) const;
@@ -66,7 +67,7 @@ class MovingSurface {
   double deviation(Feature feature, const ClosestPoint& at) const;
   /// Of each triangle of the margin's part; empty: all are 0.
   const std::vector<double>& margin_deviations() const { return margin_deviation_; }
-  /// First hit of a ray with the whole surface; see ClosestPointTree::first_hit.
+  /// First hit of a ray (nodes' frame) with the whole surface; see ClosestPointTree::first_hit.
   ClosestPoint first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min,
                          double t_max) const {
     return whole_.first_hit(origin, direction, t_min, t_max);
@@ -76,7 +77,7 @@ class MovingSurface {
   Eigen::Vector3d normal(const ClosestPoint& at) const;
   /// The same, for one thread that asks for many on a surface that moves on.
   Eigen::Vector3d normal(const ClosestPoint& at, NormalMemo& memo) const;
-  /// Where the place of a closest-point query is now.
+  /// Where the place of a closest-point query is now, in the nodes' frame.
   Eigen::Vector3d place(const ClosestPoint& at) const;
   /// What moves the point of a closest-point query.
   Carrier carrier(const ClosestPoint& at) const;
