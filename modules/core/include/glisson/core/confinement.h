@@ -14,9 +14,10 @@ namespace glisson {
 
 /// What holds from now on. Where the kernel lacks a layer, it is false and the others still hold.
 struct Confinement {
-  bool files =
-      false;  ///< Landlock (Linux 5.13): only what was named can be read, only what was named written
-  bool calls = false;  ///< seccomp: no network, no other program, no look into other processes
+  /// Landlock (Linux 5.13): only what was named can be read, only what was named written.
+  bool files = false;
+  /// seccomp: no network, no other program, no look into other processes.
+  bool calls = false;
 };
 
 /// What this kernel can hold of a confined process; nothing in a build with sanitizers.

@@ -20,8 +20,8 @@ inline double standard_normal(std::mt19937_64& random) {
   return radius * std::cos(2.0 * std::numbers::pi * uniform01(random));
 }
 
-/// Three of them, drawn from the last coordinate to the first. An argument list has no order of its own, and compilers
-/// draw in different ones: never two draws in one.
+/// Three of them, drawn from the last coordinate to the first. An argument list has no order of its own, and
+/// compilers draw in different ones: never two draws in one.
 inline Eigen::Vector3d standard_normal3(std::mt19937_64& random) {
   const double z = standard_normal(random), y = standard_normal(random), x = standard_normal(random);
   return {x, y, z};

@@ -16,10 +16,9 @@
 namespace glisson::experiments {
 
 /// Target registration errors of an estimate against the true positions of the same nodes (one frame,
-/// metres): all nodes
-/// (`tre_volume_mean_mm`, `tre_volume_max_mm`), the surface's (`tre_surface_mean_mm`, `tre_surface_max_mm`),
-/// the lesions' centres carried by their tetrahedra (`tre_target_mean_mm`, `tre_target_max_mm`; not a number
-/// without lesions).
+/// metres): all nodes (`tre_volume_mean_mm`, `tre_volume_max_mm`), the surface's (`tre_surface_mean_mm`,
+/// `tre_surface_max_mm`), the lesions' centres carried by their tetrahedra (`tre_target_mean_mm`,
+/// `tre_target_max_mm`; not a number without lesions).
 /// @throws InputError (file = `name`) when the truth has another number of nodes.
 Figures target_errors(const PatientModel& model, const Points& estimated_nodes, const Points& true_nodes,
                       const std::string& name);

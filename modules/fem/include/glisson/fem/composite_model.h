@@ -17,6 +17,7 @@ struct Material {
   double poisson_ratio = 0.45;    ///< in [0, 0.5)
 };
 
+/// The parenchyma's elastic law; equations in the README.
 enum class TetrahedronLaw { corotational, neo_hookean };
 
 /// How the parenchyma's mass stands in the dynamics: a quarter of an element's at each of its nodes, or

@@ -102,6 +102,7 @@ Eigen::Vector3d gravity_in_posture(const std::string& posture);
 /// @throws FileError when the file is missing; InputError naming the key, for anything that is malformed,
 /// unknown (a misspelt key is not ignored) or not finite.
 LoadCase read_load_case(const std::filesystem::path& path);
+/// The same of a file's text. @param name stands in messages.
 LoadCase parse_load_case(const std::string& json, const std::string& name);
 
 /// A load case tied to one model.

@@ -35,6 +35,7 @@ std::vector<CutRow> cut_rows(const VolumeGrid& grid, const std::vector<std::uint
 std::vector<CutRow> image_cut(const VolumeGrid& grid, const std::vector<std::uint8_t>& organ,
                               const Image* image = nullptr);
 
+/// Of their faces.
 double area_mm2(const VolumeGrid& grid, const std::vector<CutRow>& rows);
 
 /// Less of a flat face than this is none worth telling, mm^2: a dome touches the last slice with as much.

@@ -75,10 +75,10 @@ struct Registration {
   std::vector<std::string> notes;
   /// How far off each lesion may be; a lesion that is not in it: not known.
   std::vector<LesionSpread> lesions;
-  std::vector<LesionLooks>
-      looks;  ///< what one more look would tell of them; a lesion not in it: not known, or refused
-  std::vector<ForkSpread>
-      forks;  ///< the largest of portal vein and hepatic veins; none: there are none, or not known
+  /// What one more look would tell of them; a lesion that is not in it: not known, or refused.
+  std::vector<LesionLooks> looks;
+  /// The largest of portal vein and hepatic veins; none: there are none, or not known.
+  std::vector<ForkSpread> forks;
   /// Mean error that is expected of each node, metres; empty: not known.
   Eigen::VectorXd expected;
   SymmetricRows covariances;  ///< of each node's place, m2, camera frame; no rows: not known

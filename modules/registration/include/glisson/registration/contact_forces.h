@@ -62,8 +62,8 @@ struct ContactForceOptions {
   double patch_spacing = 12.5e-3, patch_radius = 20e-3;
   double patch_reach = 8e-3;  ///< of patches from what is seen
   int iterations = 4;         ///< a stage, each with new closest points
-  double outlier_distance =
-      3e-3;                 ///< at which a point's weight is a half (Cauchy), or two sigmas if that is more
+  /// At which a point's weight is a half (Cauchy), or two sigmas if that is more.
+  double outlier_distance = 3e-3;
   double max_step = 20e-3;  ///< of a node in an iteration
   int most_points = 500;    ///< a larger cloud is thinned evenly
   int threads = 2;          ///< 1 or 2: the same bits

@@ -14,8 +14,8 @@ struct Findings {
   /// Deviation of the cloud's points from a smooth surface through their neighbours: its own noise, whatever
   /// the model.
   double roughness = 0.0;
-  /// Distance of the cloud from the most probable shape: rms over places
-  /// of 25 mm of the mean distance along the normals.
+  /// Distance of the cloud from the most probable shape: rms over places of 25 mm of the mean distance along
+  /// the normals.
   double misfit = 0.0;
   /// The same for places left out one at a time, each predicted from the others; and in the standard
   /// deviations that the error model expects.

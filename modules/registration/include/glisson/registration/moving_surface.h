@@ -107,8 +107,8 @@ class MovingSurface {
   long moves_ = 0;
   Points normals_;  ///< of all vertices where it stands still; else empty: few of many are asked for
   std::array<std::vector<int>, 3> part_;
-  std::vector<double>
-      margin_deviation_;  ///< of the triangles of the margin's part, in its order; may be none
+  /// Of the triangles of the margin's part, in its order; may be none.
+  std::vector<double> margin_deviation_;
   double notch_deviation_ = 0.0;
   ClosestPointTree whole_, margin_, notch_;
   ClosestPoint notch_point_;  ///< triangle and weights, bound at rest

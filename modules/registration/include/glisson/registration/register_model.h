@@ -116,11 +116,13 @@ struct ExaminedRegistration;  // examined_registration.h
 /// fits, elastic. Where operations cannot be simulated on the model, elasticity alone decides. Where a prior
 /// is known and the start is sought, the cloud's mirror image is registered, too. What is no point of the
 /// cloud is left out (sound_cloud(); zeros unless the cloud is in the model's frame). The same seed gives the
-/// same bits. Doubts of the forces: little_surface_seen,
-/// many_outliers, residual_large, inverted_elements (with operations of the shape itself; without, under the
-/// linear law, which knows of none, only where no tissue is so, is_beyond_tissue()),
-/// law_ambiguous (another law puts the nodes 5 mm away on average and is nearly as probable),
-/// forces_not_at_rest, with operations forces_many (how many tools act, the limit).
+/// same bits.
+///
+/// Doubts of the forces: little_surface_seen, many_outliers, residual_large; inverted_elements, with
+/// operations those of the shape itself, without them any (but under the linear law, which knows of none,
+/// only where no tissue is so, is_beyond_tissue()); law_ambiguous (another law puts the nodes 5 mm away on
+/// average and is nearly as probable); forces_not_at_rest; with operations forces_many (how many tools act,
+/// the limit).
 /// @param known taken where its options are those of `options`; operations are not simulated again.
 /// @throws InputError as align_rigid, simulate_operations, register_elastic; fewer than 10 points of the
 ///   surface. NumericalError as simulate_operations.

@@ -11,7 +11,7 @@
 
 namespace glisson::stereo {
 
-/// @throws FileError, InputError.
+/// One picture, as PictureReader::read() reads it. @throws FileError, InputError.
 Picture read_picture(const std::filesystem::path& path);
 /// PNG, JPEG or BMP by extension; atomic.
 void write_picture(const std::filesystem::path& path, const Picture& picture);

@@ -31,10 +31,9 @@ SourceOptions read_entered_source(const std::filesystem::path& path);
 /// https.
 void require_known_scheme(std::string_view source);
 
-/// @param begin the first 16 bytes of a file or more.
-/// @return whether it begins as a container of video does: Matroska, MP4, AVI, MPEG, ASF, Ogg, MXF, FLV, IVF,
-/// a
-///   bare H.264 or H.265 stream. Play lists and scripts, which name other files and addresses, do not.
+/// Whether a file begins as a container of video does: Matroska, MP4, AVI, MPEG, ASF, Ogg, MXF, FLV, IVF, or
+/// a bare H.264 or H.265 stream. Play lists and scripts, which name other files and addresses, do not.
+/// @param begin its first 16 bytes or more.
 bool begins_as_video(std::string_view begin);
 
 }  // namespace glisson::stereo

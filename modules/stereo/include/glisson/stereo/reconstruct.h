@@ -55,8 +55,8 @@ struct ReconstructReport {
   int points = 0;
   double area_cm2 = 0.0;         ///< of the surface that the points stand for (within the mask)
   double density_per_cm2 = 0.0;  ///< points / area
-  double row_offset_px =
-      0.0;  ///< median by which rectified right rows exceed left ones: the calibration's error
+  /// Median by which rectified right rows exceed left ones: the calibration's error.
+  double row_offset_px = 0.0;
   double epipolar_rms_px = 0.0;  ///< of the points kept: what calibration and refinement leave
   double sigma_median = 0.0;     ///< metres, along the ray
   /// How far points lie off their neighbours' surface over what noise lets expect (1: as expected). Where it

@@ -10,6 +10,7 @@
 
 namespace glisson {
 
+/// What an image was taken with. Only a CT's values have a scale of their own.
 enum class Modality { ct, mr, other };
 
 /// A scalar volume, immutable and shared: copying it is cheap. CT voxels are Hounsfield units.
