@@ -35,7 +35,7 @@ Rooms folders_in(const fs::path& folder) {
 }
 
 constexpr int kMostLines = 500;  // of a file
-constexpr int kMostOfFunction = 80, kMostOfFunctionInApp = 60, kMostOfApply = 15;
+constexpr int kMostOfFunction = 80, kMostOfFunctionInApp = 60, kMostOfApply = 10;
 
 std::vector<std::string> lines_of(std::istream&& stream) {
   std::vector<std::string> lines;
@@ -192,7 +192,7 @@ void HouseTest::CommandsAreShort() {
       if (applies(function)) offences += source.filename().string() + ": " + function + "\n";
   }
   QVERIFY2(commands > 50, qPrintable(QString::number(commands)));
-  QVERIFY2(offences.empty(), ("longer than 15 lines:\n" + offences).c_str());
+  QVERIFY2(offences.empty(), ("longer than 10 lines:\n" + offences).c_str());
 }
 
 /// What becomes of a command is by its traits: another one is added without a place that knows it.

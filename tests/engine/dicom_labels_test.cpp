@@ -30,29 +30,12 @@ class DicomLabelsTest : public QObject {
  private slots:
   void init();
   void LabelsComeInAgainUnchanged();
-  void SegmentsOfOthersAreTakenByTheirMeaning();
   void NamedSegmentsOfOthersAreTakenByTheirMeaning();
-  void LesionsOfOtherOrgansAreLeftOut();
-  void VoxelsThatNoSegmentNamesAreTold();
-  void NamedSegmentsThatMeanNothingAreRefused();
-  void NumbersWithoutForeignNamesAreTaken();
-  void AllTumoursUnderOneNumberAreOneLesionEach();
-  void NamedSegmentsThatLieMirroredAreRefused();
   void AnotherGridIsRefused();
   void AnotherFrameOfReferenceIsTold();
-  void WhatMeansNothingOfTheLiverIsRefused();
-  void EveryStructureHasAMeaning();
 
  private:
   fs::path at(const char* name) const { return folder_->path() / name; }
-  /// A DICOM segmentation that does not say that it is of Glisson.
-  void write_foreign(const LabelVolume& labels, const std::vector<LabelInfo>& infos) const {
-    write_dicom_labels(at("own.dcm"), labels, infos, {});
-    std::string bytes = read_file(at("own.dcm"));
-    for (std::size_t found = 0; (found = bytes.find("Glisson label ", found)) != std::string::npos;)
-      bytes.replace(found, 14, "Another label ");
-    write_file_atomically(at("foreign.dcm"), bytes);
-  }
   std::unique_ptr<TemporaryFolder> folder_;
   std::unique_ptr<Script> script_;
   LabelVolume labels_;
@@ -100,23 +83,6 @@ void DicomLabelsTest::LabelsComeInAgainUnchanged() {
     QVERIFY(bytes.find(uid) != std::string::npos);
 }
 
-void DicomLabelsTest::SegmentsOfOthersAreTakenByTheirMeaning() {
-  // Numbered otherwise: 1 is a lesion, 2 the spleen, 3 the liver.
-  LabelVolume theirs(labels_.grid());
-  theirs.set({1, 1, 1}, 1);
-  theirs.set({2, 2, 2}, 2);
-  theirs.set({3, 3, 2}, 3);
-  write_foreign(theirs, {{1, "Tumor", structure_terminology(structure::kFirstLesion)},
-                         {2, "Spleen", "c~SCT^123037004^Anatomical Structure~SCT^78961009^Spleen~^^~c~^^~^^"},
-                         {3, "Leber", structure_terminology(structure::kParenchyma)}});
-  const auto outcome = script_->run(ImportLabels{at("foreign.dcm"), {}});
-  QCOMPARE(outcome->notes.back(), std::string("labels.segments_left_out Spleen"));
-  const LabelVolume& taken = script_->state()[part::labels]->voxels;
-  QCOMPARE(taken.at({1, 1, 1}), structure::kFirstLesion);
-  QCOMPARE(taken.at({2, 2, 2}), structure::kBackground);
-  QCOMPARE(taken.at({3, 3, 2}), structure::kParenchyma);
-}
-
 /// As 3D Slicer numbers them: in the order in which they were drawn. By number the tumour would be the portal
 /// vein.
 void DicomLabelsTest::NamedSegmentsOfOthersAreTakenByTheirMeaning() {
@@ -151,120 +117,6 @@ void DicomLabelsTest::NamedSegmentsOfOthersAreTakenByTheirMeaning() {
   QCOMPARE(script_->state()[part::labels]->voxels.at({1, 1, 1}), structure::kBackground);
 }
 
-void DicomLabelsTest::LesionsOfOtherOrgansAreLeftOut() {
-  // Mass in the kidney, metastasis in a segment of the liver, cyst of no region (SNOMED CT).
-  const std::string begin = "c~SCT^49755003^Morphologically Altered Structure~SCT^";
-  LabelVolume theirs(labels_.grid());
-  for (int n = 0; n < 4; ++n) theirs.set({n, 1, 1}, static_cast<Label>(n + 1));
-  write_foreign(theirs, {{1, "Leber", structure_terminology(structure::kParenchyma)},
-                         {2, "Niere", begin + "4147007^Mass~^^~c~SCT^64033007^Kidney~^^"},
-                         {3, "M1", begin + "14799000^Metastasis~^^~c~SCT^1^Segment 4 of Liver~^^"},
-                         {4, "Zyste", begin + "441457006^Cyst~^^~c~^^~^^"}});
-  const auto outcome = script_->run(ImportLabels{at("foreign.dcm"), {}});
-  const LabelVolume& taken = script_->state()[part::labels]->voxels;
-  QCOMPARE(taken.at({0, 1, 1}), structure::kParenchyma);
-  QCOMPARE(taken.at({1, 1, 1}), structure::kBackground);
-  QCOMPARE(taken.at({2, 1, 1}), structure::kFirstLesion);
-  QCOMPARE(taken.at({3, 1, 1}), static_cast<Label>(structure::kFirstLesion + 1));
-  QCOMPARE(outcome->notes.back(), std::string("labels.segments_left_out Niere"));
-}
-
-void DicomLabelsTest::VoxelsThatNoSegmentNamesAreTold() {
-  // The key of the number of segment 1 is called otherwise: what it was is not known.
-  LabelVolume theirs(labels_.grid());
-  theirs.set({1, 1, 1}, 1);
-  theirs.set({2, 1, 1}, 2);
-  const auto notes_of = [&](const std::string& liver) {
-    write_labels(at("theirs.seg.nrrd"), theirs,
-                 {{1, liver, structure_terminology(structure::kParenchyma)}, {2, "Tumor", "", {}}});
-    std::string text = read_file(at("theirs.seg.nrrd"));
-    const std::string key = "Segment1_ID:=";
-    text.replace(text.find(key), key.size(), "Segment1_Id:=");
-    write_file_atomically(at("theirs.seg.nrrd"), text);
-    return script_->run(ImportLabels{at("theirs.seg.nrrd"), {}})->notes;
-  };
-  QCOMPARE(notes_of("Leber"), (std::vector<std::string>{"labels.segments_left_out 2"}));
-  QCOMPARE(script_->state()[part::labels]->voxels.at({2, 1, 1}), structure::kBackground);
-  // Among Glisson's own names a number is taken for Glisson's, and that is told.
-  QCOMPARE(notes_of("parenchyma"), (std::vector<std::string>{"labels.by_number 2 portal_vein"}));
-  QCOMPARE(script_->state()[part::labels]->voxels.at({2, 1, 1}), structure::kPortalVein);
-}
-
-void DicomLabelsTest::NamedSegmentsThatMeanNothingAreRefused() {
-  write_labels(at("theirs.seg.nrrd"), labels_, {{1, "Segment_1", structure_terminology(7)}});
-  try {
-    script_->run(ImportLabels{at("theirs.seg.nrrd"), {}});
-    QFAIL("is taken");
-  } catch (const Error& error) {
-    QVERIFY2(std::string(error.what()).find("--codes") != std::string::npos, error.what());
-  }
-  QVERIFY(!script_->state()[part::labels]);
-  script_->run(ImportLabels{at("theirs.seg.nrrd"), {{1, structure::kParenchyma}}});
-  QCOMPARE(script_->state()[part::labels]->voxels.at({0, 2, 1}), structure::kParenchyma);
-}
-
-void DicomLabelsTest::NumbersWithoutForeignNamesAreTaken() {
-  const std::vector<LabelInfo> own = {structure_info(structure::kParenchyma),
-                                      structure_info(structure::kPortalVein), structure_info(kThird)};
-  write_labels(at("a.seg.nrrd"), labels_, own);
-  QVERIFY(script_->run(ImportLabels{at("a.seg.nrrd"), {}})->notes.empty());
-  QVERIFY(script_->state()[part::labels]->voxels == labels_);
-  // In others' files 2 is the tumour, as often as not: what the numbers were taken for is told.
-  for (const char* name : {"nameless.seg.nrrd", "a.nii"}) {
-    write_labels(at(name), labels_, {});
-    const auto outcome = script_->run(ImportLabels{at(name), {}});
-    QCOMPARE(outcome->notes,
-             (std::vector<std::string>{"labels.by_number 1 parenchyma, 2 portal_vein, " +
-                                       std::to_string(kThird) + ' ' + structure_name(kThird)}));
-    QVERIFY(script_->state()[part::labels]->voxels == labels_);
-  }
-}
-
-/// As in the files of most data sets: 1 is the liver, 2 all its tumours.
-void DicomLabelsTest::AllTumoursUnderOneNumberAreOneLesionEach() {
-  VolumeGrid grid;
-  grid.size = {20, 6, 6};
-  grid.spacing_mm.setConstant(2.0);
-  LabelVolume theirs(grid);
-  for (int i = 0; i < 20; ++i) theirs.set({i, 3, 3}, 1);
-  for (const int i : {2, 10, 11, 18}) theirs.set({i, 3, 3}, 2);
-  write_labels(at("theirs.nii.gz"), theirs, {});
-  Script script{RunContext()};
-  const auto outcome = script.run(
-      ImportLabels{at("theirs.nii.gz"), {{1, structure::kParenchyma}, {2, structure::kFirstLesion}}});
-  QCOMPARE(outcome->notes, std::vector<std::string>{"labels.lesion_split lesion_1 3"});
-  const LabelVolume& taken = script.state()[part::labels]->voxels;
-  QCOMPARE(taken.at({11, 3, 3}), structure::kFirstLesion);
-  QCOMPARE(taken.at({2, 3, 3}) + taken.at({18, 3, 3}), 2 * structure::kFirstLesion + 3);
-  QCOMPARE(taken.at({5, 3, 3}), structure::kParenchyma);
-  // Glisson's own say which is which: places that a person made one lesion stay one.
-  LabelVolume own(grid);
-  for (int i = 0; i < 20; ++i) own.set({i, 3, 3}, structure::kParenchyma);
-  for (const int i : {2, 18}) own.set({i, 3, 3}, structure::kFirstLesion);
-  write_labels(at("own.seg.nrrd"), own,
-               {structure_info(structure::kParenchyma), structure_info(structure::kFirstLesion)});
-  QVERIFY(script.run(ImportLabels{at("own.seg.nrrd"), {}})->notes.empty());
-  QVERIFY(script.state()[part::labels]->voxels == own);
-}
-
-void DicomLabelsTest::NamedSegmentsThatLieMirroredAreRefused() {
-  LabelVolume theirs(labels_.grid());
-  theirs.set({1, 1, 1}, 1);
-  theirs.set({5, 1, 1}, 2);
-  const bool cava_is_left =
-      theirs.grid().p_in_ct({5.0, 1.0, 1.0}).xyz.x() > theirs.grid().p_in_ct({1.0, 1.0, 1.0}).xyz.x();
-  const Label liver = cava_is_left ? 2 : 1;
-  write_labels(at("theirs.seg.nrrd"), theirs,
-               {{liver, "Leber", structure_terminology(structure::kParenchyma)},
-                {static_cast<Label>(3 - liver), "Hohlvene", structure_terminology(structure::kVenaCava)}});
-  try {
-    script_->run(ImportLabels{at("theirs.seg.nrrd"), {}});
-    QFAIL("is taken");
-  } catch (const Error& error) {
-    QVERIFY2(std::string(error.what()).find("mirrored") != std::string::npos, error.what());
-  }
-}
-
 void DicomLabelsTest::AnotherGridIsRefused() {
   VolumeGrid elsewhere = labels_.grid();
   elsewhere.origin_mm.x() += 0.4;
@@ -296,26 +148,6 @@ void DicomLabelsTest::AnotherFrameOfReferenceIsTold() {
   script_->run(ImportImage{at("ct.nrrd")});
   write_dicom_labels(at("a.dcm"), labels_, {}, {});
   QVERIFY(script_->run(ImportLabels{at("a.dcm"), {}})->notes.empty());
-}
-
-void DicomLabelsTest::WhatMeansNothingOfTheLiverIsRefused() {
-  write_foreign(labels_, {});
-  try {
-    script_->run(ImportLabels{at("foreign.dcm"), {}});
-    QFAIL("is taken");
-  } catch (const Error& error) {
-    QVERIFY2(std::string(error.what()).find("--codes") != std::string::npos, error.what());
-  }
-  script_->run(ImportLabels{at("foreign.dcm"), {{1, structure::kParenchyma}}});
-  QCOMPARE(script_->state()[part::labels]->voxels.at({0, 2, 1}), structure::kParenchyma);
-}
-
-void DicomLabelsTest::EveryStructureHasAMeaning() {
-  for (const Label label :
-       {structure::kParenchyma, structure::kPortalVein, structure::kHepaticVeins, structure::kVenaCava,
-        structure::kArtery, structure::kGallbladder, structure::kFirstLesion})
-    QCOMPARE(codes_meant({{9, "", structure_terminology(label)}}).at(9), label);
-  QVERIFY(codes_meant({{9, "", structure_terminology(structure::kFirstOther)}}).empty());
 }
 
 QTEST_APPLESS_MAIN(DicomLabelsTest)

@@ -5,8 +5,6 @@
 
 #include <QTest>
 
-#include <limits>
-
 #include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/import_mesh.h"
@@ -86,8 +84,6 @@ class LoadTrialTest : public QObject {
   void ATrialChangesNothingOfTheCase();
   void ElementsInsideOutEndIt();
   void AnOrganThatNothingHoldsIsRefused();
-  void OptionsOutOfRangeAreRefused_data();
-  void OptionsOutOfRangeAreRefused();
 };
 
 void LoadTrialTest::AHeldPullEndsInTheStaticSolution_data() {
@@ -222,28 +218,6 @@ void LoadTrialTest::AnOrganThatNothingHoldsIsRefused() {
   QVERIFY(make_load_trial(state, TrialOptions{}, RunContext()).has_value());
   built->model.mesh = {};
   QVERIFY(complaint_of().find("tetrahedra") != std::string::npos);
-}
-
-void LoadTrialTest::OptionsOutOfRangeAreRefused_data() {
-  QTest::addColumn<QString>("field");
-  for (const char* field : {"time_step", "pull_stiffness", "pull_limit", "target_speed",
-                            "boundary_young_modulus", "boundary_length", "fast_from"})
-    QTest::newRow(field) << QString::fromLatin1(field);
-}
-
-void LoadTrialTest::OptionsOutOfRangeAreRefused() {
-  QFETCH(QString, field);
-  TrialOptions options;
-  options.validate();
-  if (field == QLatin1String("time_step")) options.time_step = 0.0;
-  if (field == QLatin1String("pull_stiffness")) options.pull_stiffness = -1.0;
-  if (field == QLatin1String("pull_limit")) options.pull_limit = std::numeric_limits<double>::quiet_NaN();
-  if (field == QLatin1String("target_speed")) options.target_speed = 0.0;
-  if (field == QLatin1String("boundary_young_modulus")) options.boundary_young_modulus = 0.0;
-  if (field == QLatin1String("boundary_length")) options.boundary_length = -0.05;
-  if (field == QLatin1String("fast_from")) options.fast_from = -1;
-  const std::string said = test::complaint([&] { options.validate(); });
-  QVERIFY2(said.find(field.toStdString()) != std::string::npos, said.c_str());
 }
 
 QTEST_APPLESS_MAIN(LoadTrialTest)

@@ -121,6 +121,7 @@ class MomentsTest : public QObject {
   void WhatNoFileCanHoldIsNotKept();
   void MomentsComeBackWithTheCase();
   void ASecondSaveWritesNoPictureAgain();
+  void APicturesSumIsThatOfItsFile();
   void AnOlderCaseOpensWithout();
   void ADamagedMomentIsNamedAndTheRestOpens_data();
   void ADamagedMomentIsNamedAndTheRestOpens();
@@ -285,6 +286,16 @@ void MomentsTest::ASecondSaveWritesNoPictureAgain() {
   state = after(state, RemoveMoment{2});
   QVERIFY(save_case(path, state, RunContext()));
   QVERIFY(!fs::exists(left));
+}
+
+void MomentsTest::APicturesSumIsThatOfItsFile() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  QVERIFY(save_case(path, three(), RunContext()));
+  const nlohmann::json listed = read_json(path / "case.json").at("files"),
+                       sums = read_json(path / "moments/0002.json").at("sums");
+  QCOMPARE(sums.size(), std::size_t{2});
+  for (const auto& [side, sum] : sums.items()) QVERIFY(listed.at("moments/0002_" + side + ".png") == sum);
 }
 
 void MomentsTest::AnOlderCaseOpensWithout() {

@@ -122,17 +122,6 @@ class ProposalsTest : public QObject {
     QVERIFY(notch->deviation() < proposal_of(state_, Structure::umbilical_notch)->deviation());
   }
 
-  void theCourseOfAMovedContactLiesOnIt() {
-    Points to = proposal_of(state_, Structure::vena_cava)->area;
-    to = Points(to.bottomRows(to.rows() / 2));
-    const auto applied =
-        ReviewProposal{Structure::vena_cava, Decision::moved, to}.apply(state_, RunContext());
-    const atlas::Proposal& cava = *proposal_of(applied->state, Structure::vena_cava);
-    QCOMPARE(cava.points.rows(), atlas::point_count(Structure::vena_cava));
-    for (Eigen::Index k = 0; k < cava.points.rows(); ++k)
-      QVERIFY((to.rowwise() - cava.points.row(k)).rowwise().norm().minCoeff() < 1e-12);
-  }
-
   /// Registration weighs no pieces: what nothing but statistics says stays out, and that is said.
   void ofAMarginOnlyWhatIsShownIsUsed() {
     const auto accepted =
@@ -268,20 +257,6 @@ class ProposalsTest : public QObject {
       QVERIFY(apart(found.anterior_margin, before.anterior_margin) == 0.0);
       QVERIFY(apart(found.umbilical_notch, before.umbilical_notch) == 0.0);
     }
-  }
-
-  /// A margin that follows the dragged place is not all the person's word.
-  void whatMerelyFollowsADragKeepsItsSource() {
-    const atlas::Proposal& margin = *proposal_of(state_, Structure::anterior_margin);
-    Points to = margin.points;
-    for (Eigen::Index k = 0; k < to.rows(); ++k)
-      to(k, 2) += 0.01 * std::exp(-0.5 * std::pow(static_cast<double>(k - 20) / 5.0, 2));
-    const auto moved =
-        ReviewProposal{Structure::anterior_margin, Decision::moved, to}.apply(state_, RunContext());
-    const atlas::Proposal& found = *proposal_of(moved->state, Structure::anterior_margin);
-    QVERIFY(found.sources[20] == Source::person && found.sources[24] == Source::person);
-    QVERIFY(found.sources[28] == Source::statistics && found.sources[12] == Source::statistics);
-    QVERIFY(apart(found.points, to) < 1e-12);
   }
 
   void wrongReviewsAreRefused() {

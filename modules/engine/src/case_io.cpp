@@ -19,9 +19,7 @@
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/engine/case_lock.h"
-#include "glisson/engine/parts/image.h"
 #include "glisson/engine/saved_image.h"
-#include "image_entry.h"
 #include "ranged.h"
 
 namespace glisson::engine {
@@ -66,16 +64,16 @@ Stamp read_stamp(const fs::path& folder, const json& entry, Part of) {
 }
 
 /// Writes the files of every part that there is. @return case.json, or nothing when cancelled.
-/// @param has_image the image's file is there already.
-std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state, bool has_image) {
+/// @param taken_over their files are there already.
+std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state, const Parts& taken_over) {
   json parts = json::object();
   double done = 0.0;
   for (const Part part : all_parts()) {
     folder.context.progress(0.8 * done++ / static_cast<double>(all_parts().size()), "case.write");
     if (folder.context.cancelled()) return {};
     if (!is_kept(state, part)) continue;
-    const bool is_there = has_image && part == Part(part::image);
-    json entry = is_there ? image_entry(*state[part::image]) : part.type().spec().save(state, folder);
+    const PartSpec& spec = part.type().spec();
+    json entry = taken_over.has(part) ? spec.entry(state) : spec.save(state, folder);
     entry["revision"] = state.stamp(part).revision;
     entry["made_from"] = written(state.stamp(part));
     parts[std::string(part.code())] = entry;
@@ -84,20 +82,32 @@ std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state
   return json{{"format", kFormat}, {"version", kCaseFormatVersion}, {"parts", parts}};
 }
 
-/// As open_case. @param home where the case stands in the end; empty: where it is read.
-/// @param known the image, when its file need not be read; null: it is read.
-Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
-                                 std::vector<std::string>* lost, const std::shared_ptr<const Image>& known);
+/// Parts of a case whose files need not be read.
+struct Known {
+  const CaseState* state = nullptr;  ///< has them; null: there are none
+  Parts parts = {};
+};
 
-/// Compares what was written with what was to be; cannot be cancelled. @param taken_over the image's file is
-/// that of an earlier case: it was read back then, and its sum is still that. @throws FileError.
-void verify(const fs::path& folder, const fs::path& home, const CaseState& state, bool taken_over,
+/// Of the time in which a case is read.
+double reading_share(Part part) {
+  double said = 0.0;
+  for (const Part one : all_parts()) said += one.type().spec().reading_share;
+  const double share = part.type().spec().reading_share;
+  return share > 0.0 ? share : (1.0 - said) / static_cast<double>(all_parts().size());
+}
+
+/// As open_case. @param home where the case stands in the end; empty: where it is read.
+Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
+                                 std::vector<std::string>* lost, const Known& known);
+
+/// Compares what was written with what was to be; cannot be cancelled. @param taken_over parts whose files
+/// are those of an earlier case: they were read back then, and their sums are still those. @throws FileError.
+void verify(const fs::path& folder, const fs::path& home, const CaseState& state, const Parts& taken_over,
             const RunContext& context) {
   const auto checked = [&context](double share, std::string_view) { context.progress(share, "case.verify"); };
   checked(0.0, {});
   const RunContext reading(checked, nullptr, context.seed());
-  const auto read =
-      read_case(folder, home, reading.part(0.0, 0.8), nullptr, taken_over ? state[part::image] : nullptr);
+  const auto read = read_case(folder, home, reading.part(0.0, 0.8), nullptr, {&state, taken_over});
   checked(0.8, {});
   const bool same = read && std::all_of(all_parts().begin(), all_parts().end(), [&](Part part) {
                       const PartSpec& spec = part.type().spec();
@@ -198,7 +208,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   const fs::path fresh = temporary.path() / path.filename();
   fs::create_directory(fresh);
   if (fs::exists(path)) fs::permissions(fresh, fs::status(path).permissions());
-  const bool taken_over = saved.take_over(state, path, fresh);
+  const Parts taken_over = saved.take_over(state, path, fresh);
   auto document = write_parts({fresh, path, context, nullptr}, state, taken_over);
   if (!document) return false;
   (*document)["files"] = list_files(fresh);
@@ -224,13 +234,13 @@ bool save_case(const fs::path& path, const CaseState& state, const RunContext& c
 
 Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context,
                                  std::vector<std::string>* lost) {
-  return read_case(given, {}, context, lost, nullptr);
+  return read_case(given, {}, context, lost, {});
 }
 
 namespace {
 
 Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
-                                 std::vector<std::string>* lost, const std::shared_ptr<const Image>& known) {
+                                 std::vector<std::string>* lost, const Known& known) {
   fs::path path = case_place(given);
   sweep_leftovers(path.parent_path());
   if (!fs::exists(path) && holds_case(former_name(path))) path = former_name(path);
@@ -257,14 +267,12 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
     for (const Part part : all_parts()) {
       const auto entry = parts.find(part.code());
       if (entry == parts.end() || !part.type().is_saved()) continue;
-      constexpr double kImageShare = 0.6;  // it takes the longest, and tells how far it is
       const double begun = done;
-      done += part == Part(part::image) ? kImageShare
-                                        : (1.0 - kImageShare) / static_cast<double>(all_parts().size());
+      done += reading_share(part);
       folder.context = context.part(begun, done);
       folder.context.progress(0.0, "case.read");
-      if (known && part == Part(part::image))
-        state[part::image] = known;
+      if (known.parts.has(part))
+        state.take(part, *known.state);
       else
         part.type().spec().load(state, *entry, folder);
       if (context.cancelled()) return {};

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -128,30 +129,53 @@ fs::path carry(const fs::directory_entry& entry, const fs::path& relative, const
   return needs_name ? kept.lexically_relative(fresh) : fs::path();
 }
 
+/// FNV-1a over words of eight bytes (the last one filled up with zeros) and the size.
+class WordSum {
+ public:
+  /// All pieces but the last are whole words.
+  void add(std::string_view piece) {
+    size_ += piece.size();
+    std::uint64_t word = 0;
+    for (; piece.size() >= sizeof word; piece.remove_prefix(sizeof word)) {
+      std::memcpy(&word, piece.data(), sizeof word);
+      add_word(word);
+    }
+    if (piece.empty()) return;
+    word = 0;
+    std::memcpy(&word, piece.data(), piece.size());
+    add_word(word);
+  }
+  std::string text() const {
+    WordSum whole = *this;
+    whole.add_word(size_);
+    std::string text;
+    for (int digit = 0; digit < 16; ++digit, whole.sum_ >>= 4U) text += "0123456789abcdef"[whole.sum_ & 15U];
+    return text;
+  }
+
+ private:
+  void add_word(std::uint64_t word) { sum_ = (sum_ ^ word) * 1099511628211ULL; }
+
+  std::uint64_t sum_ = 14695981039346656037ULL, size_ = 0;
+};
+
 }  // namespace
 
-// FNV-1a over words of eight bytes (the last one filled up with zeros) and the size.
 std::string sum_of(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::vector<char> buffer(std::size_t{1} << 20U);
-  std::uint64_t sum = 14695981039346656037ULL, size = 0;
-  const auto add = [&](std::uint64_t word) { sum = (sum ^ word) * 1099511628211ULL; };
+  WordSum sum;
   while (stream) {
     stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    const auto got = static_cast<std::size_t>(stream.gcount());
-    std::memset(buffer.data() + got, 0, std::min<std::size_t>(8, buffer.size() - got));
-    for (std::size_t at = 0; at < got; at += 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, buffer.data() + at, sizeof word);
-      add(word);
-    }
-    size += got;
+    sum.add({buffer.data(), static_cast<std::size_t>(stream.gcount())});
   }
-  if (stream.bad() || !stream.eof()) return {};
-  add(size);
-  std::string text;
-  for (int digit = 0; digit < 16; ++digit, sum >>= 4U) text += "0123456789abcdef"[sum & 15U];
-  return text;
+  return stream.bad() || !stream.eof() ? std::string() : sum.text();
+}
+
+std::string sum_of_content(std::string_view content) {
+  WordSum sum;
+  sum.add(content);
+  return sum.text();
 }
 
 json list_files(const fs::path& folder) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// @file
@@ -13,6 +14,8 @@ namespace glisson::engine {
 
 /// A sum over what a file holds: tells changes from none, not forgeries. Empty: it cannot be read.
 std::string sum_of(const std::filesystem::path& path);
+/// The same of what a file would hold.
+std::string sum_of_content(std::string_view content);
 
 /// Each file below a folder but case.json, with a sum over what it holds, for case.json's "files".
 nlohmann::json list_files(const std::filesystem::path& folder);

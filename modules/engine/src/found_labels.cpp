@@ -38,7 +38,8 @@ SegmentationOffer offer_of(const CaseState& state, const std::set<Label>& edited
   return offer;
 }
 
-void report_difference(const SegmentationOffer& offer, Figures& figures) {
+Figures figures_of(const SegmentationOffer& offer) {
+  Figures figures;
   const double ml = 1e-3 * offer.image->grid.voxel_volume_mm3();
   for (const auto& [label, shift] : offer.difference.labels) {
     figures["gained_" + structure_name(label) + "_ml"] = ml * static_cast<double>(shift.gained);
@@ -46,6 +47,7 @@ void report_difference(const SegmentationOffer& offer, Figures& figures) {
   }
   figures["hand_corrected_voxels"] = static_cast<double>(offer.difference.hand_voxels);
   figures["hand_corrected_voxels_changed"] = static_cast<double>(offer.difference.hand_changed);
+  return figures;
 }
 
 bool changes_any(const LabelDifference& difference, const std::set<Label>& labels) {
@@ -69,18 +71,18 @@ Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Lab
   applied.notes = found->notes;
   if (!compares) {
     put_grown_labels(applied.state, std::move(found->labels), kSegmentStep);
-    report_labels(applied.state, applied.figures);
+    applied.figures = label_figures(applied.state);
     return applied;
   }
   SegmentationOffer offer = offer_of(state, edited, keeps_labels, std::move(*found));
-  report_difference(offer, applied.figures);
+  applied.figures = figures_of(offer);
   if (over_hand_work == OverHandWork::offer && changes_any(offer.difference, edited)) {
     applied.state[part::preview] = nullptr;
     applied.state[part::offer] = std::make_shared<const SegmentationOffer>(std::move(offer));
     return applied;
   }
   take_offer(applied.state, offer, over_hand_work == OverHandWork::keep_hand);
-  report_labels(applied.state, applied.figures);
+  applied.figures.merge(label_figures(applied.state));
   return applied;
 }
 

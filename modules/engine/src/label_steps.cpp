@@ -155,9 +155,11 @@ void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_han
   put_grown_labels(state, std::move(labels), keeps_hand ? kMergeStep : kSegmentStep);
 }
 
-void report_labels(const CaseState& state, Figures& figures) {
+Figures label_figures(const CaseState& state) {
+  Figures figures;
   for (const auto& [label, of] : state[part::statistics]->figures())
     figures["label_" + structure_name(label) + "_ml"] = of.ml;
+  return figures;
 }
 
 }  // namespace glisson::engine

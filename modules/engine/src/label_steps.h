@@ -56,7 +56,7 @@ void put_grown_labels(CaseState& state, LabelMap labels, const char* step);
 /// The same of an offer, with or without the voxels that a hand has corrected.
 void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_hand);
 
-/// label_NAME_ml of each label.
-void report_labels(const CaseState& state, Figures& figures);
+/// label_NAME_ml of each label. @pre the state has labels.
+Figures label_figures(const CaseState& state);
 
 }  // namespace glisson::engine

@@ -13,33 +13,37 @@ namespace {
 
 constexpr double kLesionToCount = 1e-6;  // m3: an error of a smaller lesion's volume says little
 
-}  // namespace
-
-Applied with_model(const CaseState& state, model::BuiltModel built) {
-  Applied applied{state};
+Figures figures_of(const model::BuiltModel& built) {
+  Figures figures;
   const model::MeshQuality& quality = built.report.quality;
   const PatientModel& model = built.model;
-  applied.figures["model_vertices"] = model.mesh.vertex_count();
-  applied.figures["model_tetrahedra"] = model.mesh.tetrahedron_count();
-  applied.figures["model_volume_ml"] = 1e6 * volume(model.mesh);
-  applied.figures["model_min_dihedral_deg"] = quality.min_dihedral_deg;
+  figures["model_vertices"] = model.mesh.vertex_count();
+  figures["model_tetrahedra"] = model.mesh.tetrahedron_count();
+  figures["model_volume_ml"] = 1e6 * volume(model.mesh);
+  figures["model_min_dihedral_deg"] = quality.min_dihedral_deg;
   if (const auto& fit = quality.organ_fit) {
-    applied.figures["model_volume_error"] = fit->volume_error;
-    applied.figures["model_vertices_to_fine_mean_mm"] = fit->vertices_to_fine_mean_mm;
-    applied.figures["model_fine_to_mesh_mean_mm"] = fit->fine_to_mesh_mean_mm;
-    applied.figures["model_fine_to_mesh_max_mm"] = fit->fine_to_mesh_max_mm;
+    figures["model_volume_error"] = fit->volume_error;
+    figures["model_vertices_to_fine_mean_mm"] = fit->vertices_to_fine_mean_mm;
+    figures["model_fine_to_mesh_mean_mm"] = fit->fine_to_mesh_mean_mm;
+    figures["model_fine_to_mesh_max_mm"] = fit->fine_to_mesh_max_mm;
   }
   double beams = 0.0;
   for (const VesselTree& tree : model.vessels) beams += static_cast<double>(tree.beams.size());
-  applied.figures["model_beams"] = beams;
-  applied.figures["model_lesions"] = static_cast<double>(lesion_centres(model).size());
-  applied.figures["model_edge_mean_mm"] = 1e3 * model::mean_edge_length(model.mesh);
+  figures["model_beams"] = beams;
+  figures["model_lesions"] = static_cast<double>(lesion_centres(model).size());
+  figures["model_edge_mean_mm"] = 1e3 * model::mean_edge_length(model.mesh);
   double worst = std::numeric_limits<double>::quiet_NaN();  // of none
   for (const model::LesionVolume& lesion : model::lesion_volumes(model))
     if (lesion.volume > kLesionToCount && lesion.mesh_volume > 0.0)
       worst = std::fmax(worst, std::abs(lesion.mesh_volume / lesion.volume - 1.0));
-  if (std::isfinite(worst)) applied.figures["model_lesion_volume_error_max"] = worst;
-  applied.notes = built.report.notes;
+  if (std::isfinite(worst)) figures["model_lesion_volume_error_max"] = worst;
+  return figures;
+}
+
+}  // namespace
+
+Applied with_model(const CaseState& state, model::BuiltModel built) {
+  Applied applied{state, figures_of(built), built.report.notes};
   applied.state[part::model] = std::make_shared<const model::BuiltModel>(std::move(built));
   return applied;
 }

@@ -199,7 +199,7 @@ void write_moment(const fs::path& folder, const fs::path& former, const KeptMome
     const std::string ending = std::string("_") + side + ".png";
     const fs::path path = file_of(folder, moment.number, ending.c_str());
     write_or_link(path, file_of(former, moment.number, ending.c_str()), *png);
-    document["sums"][side] = sum_of(path);
+    document["sums"][side] = sum_of_content(*png);
   }
   write_file_atomically(file_of(folder, moment.number, ".jsonl"), overlay_of(moment) + "\n");
   write_json(file_of(folder, moment.number, ".json"), document);
@@ -219,7 +219,7 @@ KeptMoment read_moment(const fs::path& folder, int number) {
   for (const char* side : {"left", "right"}) {
     const fs::path path = file_of(folder, number, side == std::string("left") ? "_left.png" : "_right.png");
     auto content = std::make_shared<const std::string>(read_file(path));
-    if (!sums.is_object() || !sums.contains(side) || sums[side] != sum_of(path))
+    if (!sums.is_object() || !sums.contains(side) || sums[side] != sum_of_content(*content))
       throw InputError(path.string(), "", "is not the picture that was kept", kAgain);
     (side == std::string("left") ? moment.left_png : moment.right_png) = std::move(content);
   }

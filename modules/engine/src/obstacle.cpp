@@ -6,8 +6,6 @@
 
 #include "glisson/engine/command.h"
 #include "glisson/engine/engine.h"
-#include "glisson/engine/parts/live.h"
-#include "glisson/engine/parts/registration.h"
 
 namespace glisson::engine {
 namespace {
@@ -35,6 +33,16 @@ Obstacle origin(const CaseState& state, Part part) {
   return {Obstacle::Kind::stale, part, std::nullopt};
 }
 
+/// The first part that a command would change below what goes on from it (PartSpec::follows).
+std::optional<Part> written_below(const CaseState& state, const Parts& writes) {
+  for (const Part part : all_parts()) {
+    if (!state.has(part) || writes.has(part)) continue;
+    for (const Part followed : part.type().spec().follows)
+      if (writes.has(followed)) return followed;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Obstacle> obstacle(const CaseState& state, const Needs& needs, const Parts& current,
@@ -59,9 +67,8 @@ std::optional<Obstacle> obstacle(const CaseState& state, const Command& command)
   const CommandTraits& traits = command.traits();
   const auto first = obstacle(state, traits.needs, traits.current, traits.accepted);
   if (first) return first;
-  // Below a running overlay the registration is changed by the follower's own commands alone.
-  if (state.has(part::live) && traits.writes.has(part::registration) && !traits.writes.has(part::live))
-    return Obstacle{Obstacle::Kind::followed, part::registration, std::nullopt};
+  if (const auto followed = written_below(state, traits.writes))
+    return Obstacle{Obstacle::Kind::followed, *followed, std::nullopt};
   return std::nullopt;
 }
 

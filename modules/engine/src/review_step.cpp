@@ -2,14 +2,13 @@
 #include "review_step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "glisson/atlas/review.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
-#include "proposal_landmark.h"
 
 namespace glisson::engine {
 namespace {
@@ -19,33 +18,6 @@ Points* points_of(Landmarks& landmarks, atlas::Structure structure) {
   if (structure == atlas::Structure::anterior_margin) return &landmarks.anterior_margin;
   if (structure == atlas::Structure::vena_cava) return &landmarks.vena_cava;
   return nullptr;
-}
-
-/// Standard deviation of a point across its course (of a single point: in any direction), metres; 0 where a
-/// person has placed it or the image shows it.
-double deviation_of(const atlas::Proposal& proposal, Eigen::Index k) {
-  const auto i = static_cast<std::size_t>(k);
-  if (proposal.sources[i] == atlas::Source::person || proposal.sources[i] == atlas::Source::image) return 0.0;
-  const Eigen::Matrix3d& spread = proposal.covariances[i];
-  if (proposal.points.rows() == 1) return std::sqrt(spread.trace() / 3.0);
-  const Eigen::Index last = proposal.points.rows() - 1;
-  const Eigen::Vector3d along =
-      (proposal.points.row(std::min(k + 1, last)) - proposal.points.row(std::max<Eigen::Index>(k - 1, 0)))
-          .transpose()
-          .normalized();
-  return std::sqrt(0.5 * std::max(0.0, spread.trace() - along.dot(spread * along)));
-}
-
-/// Of a landmark's points: of the proposal's points that they are, and none of others.
-Eigen::VectorXd deviations_of(const atlas::Proposal& proposal, const Points& landmark) {
-  constexpr double kSame = 1e-9;
-  Eigen::VectorXd deviations = Eigen::VectorXd::Zero(landmark.rows());
-  for (Eigen::Index k = 0; k < landmark.rows(); ++k) {
-    Eigen::Index at = 0;
-    if ((proposal.points.rowwise() - landmark.row(k)).rowwise().norm().minCoeff(&at) < kSame)
-      deviations[k] = deviation_of(proposal, at);
-  }
-  return deviations;
 }
 
 /// Those that are of this model. Empty: none.
@@ -79,22 +51,25 @@ CommandTraits review_traits(std::string_view code) {
           .notice = Notice::quiet};
 }
 
+const atlas::Proposal& require_proposed(const CaseState& state, atlas::Structure structure) {
+  const atlas::Proposal* proposal = proposal_of(state, structure);
+  if (proposal == nullptr)
+    throw InputError("review", atlas::structure_code(structure), "is not proposed",
+                     "Let an atlas that knows it propose it first");
+  return *proposal;
+}
+
 Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
                     const std::optional<Eigen::VectorXd>& known) {
+  require_proposed(state, proposal.structure);
   auto transfer = std::make_shared<atlas::Transfer>(*state[part::proposals]);
-  const auto found =
-      std::find_if(transfer->proposals.begin(), transfer->proposals.end(),
-                   [&](const atlas::Proposal& one) { return one.structure == proposal.structure; });
-  if (found == transfer->proposals.end())
-    throw InputError("review", atlas::structure_code(proposal.structure), "is not proposed",
-                     "Let an atlas that knows it propose it first");
-  *found = proposal;
+  *std::ranges::find(transfer->proposals, proposal.structure, &atlas::Proposal::structure) = proposal;
   Applied applied{state};
   applied.state[part::proposals] = std::move(transfer);
   Landmarks landmarks = placed(state);
   if (Points* points = points_of(landmarks, proposal.structure)) {
     *points = landmark;
-    const Eigen::VectorXd deviations = known ? *known : deviations_of(proposal, landmark);
+    const Eigen::VectorXd deviations = known ? *known : atlas::landmark_deviations(proposal, landmark);
     if (proposal.structure == atlas::Structure::anterior_margin) {
       require(deviations.size() == 0 || deviations.size() == landmark.rows(),
               "there are as many deviations of a margin as points");
@@ -115,7 +90,7 @@ bool landmark_is_as_reviewed(const CaseState& state, atlas::Structure structure)
   const Points* models = points_of(of_model, structure);
   if (proposal == nullptr || models == nullptr) return true;
   const auto effective = [&](const Points& points) { return points.rows() > 0 ? points : *models; };
-  const Points left = effective(landmark_left_by(*proposal)),
+  const Points left = effective(atlas::landmark_left_by(*proposal)),
                now = effective(placed_points(state, structure));
   return left.rows() == now.rows() && (left.rows() == 0 || (left - now).cwiseAbs().maxCoeff() < kSame);
 }

@@ -11,11 +11,14 @@ namespace glisson::engine {
 /// Of a command that changes one proposal and its landmark.
 CommandTraits review_traits(std::string_view code);
 
+/// What is proposed for a structure. @throws InputError nothing is.
+const atlas::Proposal& require_proposed(const CaseState& state, atlas::Structure structure);
+
 /// The case with this proposal in the place of the one of its structure, and with these points as its
 /// landmark (CT frame, metres; none: no landmark), where registration knows the structure. Other landmarks
 /// stay, unless they are of a former model.
-/// @param known how far the points may lie from where they are, as placed_deviations() had it; empty: what
-///   the proposal says of its own.
+/// @param known how far the points may lie from where they are, as placed_deviations() had it; empty: as
+///   atlas::landmark_deviations() says.
 /// @throws InputError nothing is proposed for the structure.
 Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
                     const std::optional<Eigen::VectorXd>& known = {});

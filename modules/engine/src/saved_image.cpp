@@ -5,7 +5,7 @@
 
 #include "case_manifest.h"
 #include "glisson/engine/parts/image.h"
-#include "image_entry.h"
+#include "image_file.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -23,8 +23,11 @@ bool SavedImage::knows(const CaseState& state) const {
   return !sum_.empty() && image && image == state[part::image];
 }
 
-bool SavedImage::take_over(const CaseState& state, const fs::path& place, const fs::path& fresh) const {
-  if (!knows(state)) return false;
+Parts SavedImage::take_over(const CaseState& state, const fs::path& place, const fs::path& fresh) const {
+  return knows(state) && put_file(place, fresh) ? Parts{part::image} : Parts{};
+}
+
+bool SavedImage::put_file(const fs::path& place, const fs::path& fresh) const {
   const fs::path from = place_ / kImageFile, to = fresh / kImageFile;
   if (!is_file_with(from, sum_)) return false;
   // Summed before it is linked: what is changed in between is changed under both names, and found by the

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trial_lane.h"
 
-#include <cmath>
+#include <exception>
 #include <utility>
 
-#include "glisson/core/error.h"
+#include "glisson/core/termination.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/tissue.h"
@@ -41,15 +41,7 @@ bool TrialLane::fits(const CaseState& state) const {
 
 void TrialLane::submit(std::optional<TrialPull> pull) {
   if (!on_) return;
-  if (pull) {
-    const bool on_surface =
-        pull->triangle >= 0 && model_ && pull->triangle < model_->model.surface.mesh.triangle_count();
-    require(on_surface, "a pull takes hold of a triangle of the model's surface");
-    require(pull->weights.allFinite() && pull->weights.minCoeff() >= -1e-9 &&
-                std::abs(pull->weights.sum() - 1.0) < 1e-6,
-            "a pull's weights are not negative and their sum is 1");
-    require(pull->target.allFinite(), "a pull's target is finite");
-  }
+  if (pull) pull->require_on_surface(model_ ? model_->model.surface.mesh.triangle_count() : 0);
   if (!awake_) recent_.clear();  // the rate is not that of a rest
   pull_ = std::move(pull);
   awake_ = true;

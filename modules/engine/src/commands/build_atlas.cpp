@@ -89,21 +89,28 @@ void keep(const atlas::Atlas& built, const fs::path& out) {
   flush_to_disk(out);
 }
 
+/// @param[out] notes also of the livers that were left out.
+Cancellable<atlas::BuildResult> built_of(const BuildAtlas& command, const RunContext& context,
+                                         std::vector<std::string>& notes) {
+  require(command.base != nullptr, "an atlas is built on a base");
+  auto livers = livers_of(command, context, notes);
+  if (!livers) return {};
+  auto built = atlas::build(std::move(*livers), *command.base, command.options, context.part(0.2, 1.0));
+  if (built) notes.insert(notes.end(), built->notes.begin(), built->notes.end());
+  return built;
+}
+
 }  // namespace
 
 CommandTraits BuildAtlas::traits() const { return {.code = "build_atlas"}; }
 
 Cancellable<Applied> BuildAtlas::apply(const CaseState& state, const RunContext& context) const {
-  require(base != nullptr, "an atlas is built on a base");
   check_folder(out);
   Applied applied{state};
-  auto livers = livers_of(*this, context, applied.notes);
-  if (!livers) return {};
-  auto built = atlas::build(std::move(*livers), *base, options, context.part(0.2, 1.0));
+  auto built = built_of(*this, context, applied.notes);
   if (!built) return {};
   if (!out.empty()) keep(built->atlas, out);
   applied.figures = atlas::figures_of(*built);
-  applied.notes.insert(applied.notes.end(), built->notes.begin(), built->notes.end());
   applied.result = std::make_shared<const Result>(std::move(*built));
   return applied;
 }

@@ -34,6 +34,20 @@ Figures figures_of(const stereo::Calibration& calibration, const stereo::BoardVi
   return figures;
 }
 
+Cancellable<stereo::Calibration> calibrated(const stereo::BoardViews& views,
+                                            const stereo::CalibrateOptions& options,
+                                            const RunContext& context) {
+  views.require(kFewestViews);
+  return stereo::calibrate(views, options, context);
+}
+
+std::shared_ptr<const CalibrationSheet> sheet_of(const std::shared_ptr<const stereo::BoardViews>& views,
+                                                 stereo::Calibration calibration) {
+  CalibrationSheet sheet{views, std::move(calibration), {}};
+  sheet.coverage = stereo::coverage_picture(*views, sheet.calibration);
+  return std::make_shared<const CalibrationSheet>(std::move(sheet));
+}
+
 }  // namespace
 
 CommandTraits CalibrateRig::traits() const { return {.code = "calibrate", .writes = {part::rig}}; }
@@ -41,14 +55,11 @@ CommandTraits CalibrateRig::traits() const { return {.code = "calibrate", .write
 Cancellable<Applied> CalibrateRig::apply(const CaseState& state, const RunContext& context) const {
   const auto views = found ? found : find_boards(*this, context.part(0.0, kFindShare));
   if (!views) return {};
-  views->require(kFewestViews);
-  auto calibration = stereo::calibrate(*views, options, context.part(found ? 0.0 : kFindShare, 1.0));
+  auto calibration = calibrated(*views, options, context.part(found ? 0.0 : kFindShare, 1.0));
   if (!calibration) return {};
   Applied applied{state, figures_of(*calibration, *views), notes_of(*calibration)};
   applied.state[part::rig] = std::make_shared<const StereoRig>(calibration->rig);
-  CalibrationSheet sheet{views, std::move(*calibration), {}};
-  sheet.coverage = stereo::coverage_picture(*views, sheet.calibration);
-  applied.result = std::make_shared<const CalibrationSheet>(std::move(sheet));
+  applied.result = sheet_of(views, std::move(*calibration));
   return applied;
 }
 

@@ -22,11 +22,9 @@ CommandTraits ChooseRival::traits() const {
 
 Cancellable<Applied> ChooseRival::apply(const CaseState& state, const RunContext&) const {
   require_seen(state, part::registration, seen);
-  Applied applied{state};
   Registration chosen = registration::choose_rival(*state[part::registration], rival,
                                                    state[part::model]->model, *state[part::cloud]);
-  applied.notes = told_of(chosen);
-  applied.figures = figures_of(chosen);
+  Applied applied{state, figures_of(chosen), told_of(chosen)};
   keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(chosen));
   return applied;

@@ -52,6 +52,15 @@ Figures figures_of(const Corrected& made) {
           {"reach_mm", made.reach_mm}};
 }
 
+/// Where nothing changes the labels stay the same edition: a model made of them is not out of date.
+void put(CaseState& state, const CorrectAround& command, Corrected made) {
+  if (made.changed == 0) return;
+  const auto before = state[part::labels];
+  const Label label =
+      command.clicks.empty() ? command.grown.front().structure : Label{structure::kParenchyma};
+  put_edited_labels(state, *before, std::move(made.labels), {"correct_around", label, 0.0}, 0);
+}
+
 }  // namespace
 
 CommandTraits CorrectAround::traits() const {
@@ -67,12 +76,8 @@ Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunConte
   auto made = corrected(*this, state, context);
   if (!made) return {};
   Applied applied{state, figures_of(*made), made->notes};
-  // Where nothing changes the labels stay the same edition: a model made of them is not out of date.
-  if (made->changed > 0)
-    put_edited_labels(
-        applied.state, *state[part::labels], std::move(made->labels),
-        {"correct_around", clicks.empty() ? grown.front().structure : structure::kParenchyma, 0.0}, 0);
-  if (applied.state[part::statistics]) report_labels(applied.state, applied.figures);
+  put(applied.state, *this, std::move(*made));
+  if (applied.state[part::statistics]) applied.figures.merge(label_figures(applied.state));
   return applied;
 }
 

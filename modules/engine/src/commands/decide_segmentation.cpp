@@ -10,6 +10,21 @@
 #include "seen.h"
 
 namespace glisson::engine {
+namespace {
+
+/// @throws InputError it no longer fits.
+Applied with_offer(const CaseState& state, bool keeps_hand) {
+  const SegmentationOffer& offer = *state[part::offer];
+  if (!offer.fits(state))
+    throw InputError("segmentation", "", "was made of another CT, other seeds or other labels",
+                     "Segment again");
+  Applied applied{state, {}, offer.notes};
+  take_offer(applied.state, offer, keeps_hand);
+  applied.figures = label_figures(applied.state);
+  return applied;
+}
+
+}  // namespace
 
 CommandTraits DecideSegmentation::traits() const {
   CommandTraits traits{.code = "decide_segmentation",
@@ -25,16 +40,9 @@ CommandTraits DecideSegmentation::traits() const {
 
 Cancellable<Applied> DecideSegmentation::apply(const CaseState& state, const RunContext&) const {
   require_seen(state, part::offer, seen);
+  if (choice != Choice::keep_all) return with_offer(state, choice == Choice::keep_hand);
   Applied applied{state};
-  const auto offer = state[part::offer];
   applied.state[part::offer] = nullptr;
-  if (choice == Choice::keep_all) return applied;
-  if (!offer->fits(state))
-    throw InputError("segmentation", "", "was made of another CT, other seeds or other labels",
-                     "Segment again");
-  applied.notes = offer->notes;
-  take_offer(applied.state, *offer, choice == Choice::keep_hand);
-  report_labels(applied.state, applied.figures);
   return applied;
 }
 

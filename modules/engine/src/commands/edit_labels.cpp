@@ -20,6 +20,15 @@ Cancellable<editing::Edited> edited(const CaseState& state, const LabelMap& befo
   return editing::apply_edit(before, *state[part::image], edit, context);
 }
 
+/// Where nothing changes the labels stay the same edition: a model made of them is not out of date.
+void put(CaseState& state, const LabelMap& before, const EditLabels& command, editing::Edited made) {
+  if (made.voxels_changed == 0)
+    state[part::preview] = nullptr;
+  else
+    put_edited_labels(state, before, std::move(made.labels), editing::step_name(command.edit),
+                      command.gesture);
+}
+
 }  // namespace
 
 CommandTraits EditLabels::traits() const {
@@ -37,11 +46,7 @@ Cancellable<Applied> EditLabels::apply(const CaseState& state, const RunContext&
   auto made = edited(state, before, edit, context);
   if (!made) return {};
   Applied applied{state, {{"voxels_changed", static_cast<double>(made->voxels_changed)}}, made->notes};
-  if (made->voxels_changed == 0)
-    // The labels stay the same edition: a model made of them is not out of date.
-    applied.state[part::preview] = nullptr;
-  else
-    put_edited_labels(applied.state, before, std::move(made->labels), editing::step_name(edit), gesture);
+  put(applied.state, before, *this, std::move(*made));
   return applied;
 }
 

@@ -31,6 +31,21 @@ Figures figures_of(const VolumeGrid& grid) {
   return figures;
 }
 
+/// What is read, or was read before, of the modality that a person has told.
+Cancellable<Scan> scan_of(const ImportImage& command, const RunContext& context) {
+  Cancellable<Scan> found = command.scan ? *command.scan : read_scan(command.path, context, command.series);
+  if (!found || !command.modality) return found;
+  require_modality_untold(found->image, !found->source.empty(), *command.modality, command.path.string());
+  found->image.modality = *command.modality;
+  return found;
+}
+
+std::vector<std::string> notes_of(const Scan& scan) {
+  std::vector<std::string> notes = image_doubts(scan.image);
+  if (!scan.missing.empty()) notes.push_back(note_of(scan.missing));
+  return notes;
+}
+
 }  // namespace
 
 CommandTraits ImportImage::traits() const {
@@ -40,14 +55,9 @@ CommandTraits ImportImage::traits() const {
 }
 
 Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext& context) const {
-  Cancellable<Scan> found = scan ? *scan : read_scan(path, context, series);
+  Cancellable<Scan> found = scan_of(*this, context);
   if (!found) return {};
-  if (modality) {
-    require_modality_untold(found->image, !found->source.empty(), *modality, path.string());
-    found->image.modality = *modality;
-  }
-  Applied applied{new_case ? CaseState() : state, figures_of(found->image.grid), image_doubts(found->image)};
-  if (!found->missing.empty()) applied.notes.push_back(note_of(found->missing));
+  Applied applied{new_case ? CaseState() : state, figures_of(found->image.grid), notes_of(*found)};
   applied.state[part::image] = std::make_shared<const Image>(std::move(found->image));
   applied.state[part::source] =
       found->source.empty() ? nullptr : std::make_shared<const DicomSource>(std::move(found->source));

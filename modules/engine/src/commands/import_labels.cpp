@@ -1,197 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/import_labels.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <string>
-#include <vector>
+#include <utility>
 
-#include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/source.h"
-#include "glisson/patient/lesion_pieces.h"
-#include "glisson/patient/segment_meaning.h"
-#include "glisson/volume/dicom_segmentation.h"
+#include "glisson/patient/label_import.h"
 #include "label_steps.h"
 #include "orientation_note.h"
 
 namespace glisson::engine {
 namespace {
 
-/// What a file says of its labels, by the labels that they become.
-Review review_in(const LabelFile& file, const LabelCodes& codes) {
-  Review review;
-  for (const LabelInfo& info : file.infos) {
-    if (!codes.empty() && !codes.contains(info.code)) continue;  // it becomes background
-    const ReviewState state = review_state(info.status);
-    const auto [known, is_new] = review.emplace(codes.empty() ? info.code : codes.at(info.code), state);
-    // Of several that become one label, all have to be looked at.
-    if (!is_new) known->second = std::min(known->second, state);
-  }
-  std::erase_if(review, [](const auto& one) { return one.second == ReviewState::not_started; });
-  return review;
+LabelPlace place_of(const CaseState& state) {
+  LabelPlace place;
+  if (const auto& image = state[part::image]) place.grid = &image->grid;
+  if (const auto& source = state[part::source]) place.frame_of_reference_uid = source->frame_of_reference_uid;
+  return place;
 }
 
-/// Segments of others say by code or name what they are, not by their number.
-/// @param field what says so in the file. @param[out] notes name the segments that are left out: whoever
-/// drew a tumour as plain tissue learns that it is missing.
-/// @throws InputError none of them is anything of the liver.
-LabelCodes meanings_of(const std::filesystem::path& path, const std::string& field,
-                       const std::vector<LabelInfo>& segments, std::vector<std::string>& notes) {
-  LabelCodes codes = codes_meant(segments);
-  if (codes.empty())
-    throw InputError(path.string(), field, "names nothing of the liver in any segment",
-                     "Say which segment means what with --codes FILE (see 'glisson model --help')");
-  std::string left_out;
-  for (const LabelInfo& segment : segments)
-    if (!codes.contains(segment.code))
-      left_out += (left_out.empty() ? "" : ", ") +
-                  (segment.name.empty() ? std::to_string(segment.code) : segment.name);
-  if (!left_out.empty()) notes.push_back("labels.segments_left_out " + left_out);
-  return codes;
-}
-
-/// "label_7" is what Glisson writes where there is no name.
-bool is_nameless(const LabelInfo& segment) {
-  return segment.name.empty() || segment.name == "label_" + std::to_string(segment.code);
-}
-
-/// Whether a file names its segments otherwise than Glisson names those of the same numbers.
-bool are_named_by_others(const std::vector<LabelInfo>& segments) {
-  return std::ranges::any_of(segments, [](const LabelInfo& segment) {
-    return !is_nameless(segment) && segment.name != structure_name(segment.code);
-  });
-}
-
-/// The first of a list, with commas.
-std::string first_of(const std::vector<std::string>& list) {
-  constexpr std::size_t kNamed = 12;
-  std::string text;
-  for (std::size_t n = 0; n < std::min(list.size(), kNamed); ++n) text += (n > 0 ? ", " : "") + list[n];
-  return list.size() > kNamed ? text + ", ..." : text;
-}
-
-/// Numbers without a name are taken for Glisson's. Other programs number otherwise: with 1 for the liver and
-/// 2 for its tumours the tumours become the portal vein.
-void note_numbers(const std::vector<LabelInfo>& infos, std::vector<std::string>& notes) {
-  std::vector<std::string> taken;
-  for (const LabelInfo& info : infos)
-    if (is_nameless(info)) taken.push_back(std::to_string(info.code) + ' ' + structure_name(info.code));
-  if (!taken.empty()) notes.push_back("labels.by_number " + first_of(taken));
-}
-
-/// Labels of which the codes say nothing become background: whoever forgot a tumour's code learns that it is
-/// missing.
-void note_left_out(const LabelFile& file, const LabelCodes& codes, std::vector<std::string>& notes) {
-  const std::vector<long> counts = file.voxels.histogram();
-  std::vector<std::pair<long, std::string>> found;  // the largest first
-  for (std::size_t code = 1; code < counts.size(); ++code) {
-    if (counts[code] == 0 || codes.contains(static_cast<Label>(code))) continue;
-    const double ml = 1e-3 * static_cast<double>(counts[code]) * file.voxels.grid().voxel_volume_mm3();
-    const auto info = std::ranges::find(file.infos, static_cast<Label>(code), &LabelInfo::code);
-    const bool is_named = info != file.infos.end() && !is_nameless(*info);
-    std::array<char, 32> volume{};
-    std::snprintf(volume.data(), volume.size(), " (%.1f ml)", ml);
-    found.emplace_back(-counts[code],
-                       std::to_string(code) + (is_named ? ' ' + info->name : std::string()) + volume.data());
-  }
-  std::ranges::sort(found);
-  std::vector<std::string> left_out;
-  for (const auto& [voxels, text] : found) left_out.push_back(text);
-  if (!left_out.empty()) notes.push_back("labels.codes_left_out " + first_of(left_out));
-}
-
-/// A volume of labels. Numbers without names of somebody else's are Glisson's. @param codes and notes as
-/// below.
-LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std::vector<std::string>& notes) {
-  LabelFile file = read_labels(path);
-  if (!codes.empty()) return file;
-  if (are_named_by_others(file.infos))
-    codes = meanings_of(path, "Segment names", file.infos, notes);
-  else
-    note_numbers(file.infos, notes);
-  return file;
-}
-
-/// A DICOM segmentation on the image's grid: empty slices need not be in it.
-/// @param codes taken as they are where there are any.
-/// @param[out] notes tell that the file is of another frame of reference: its voxels may be the CT's by
-/// chance, as another scan's of the same table and field of view are. Anonymisers, too, give new frames, so
-/// that the person decides.
-LabelFile read_dicom(const std::filesystem::path& path, const CaseState& state, LabelCodes& codes,
-                     std::vector<std::string>& notes) {
-  const Image* image = state[part::image].get();
-  DicomLabels labels = read_dicom_labels(path);
-  const std::string theirs = labels.frame_of_reference_uid;
-  const std::string ours = state[part::source] ? state[part::source]->frame_of_reference_uid : std::string();
-  if (image != nullptr && !theirs.empty() && !ours.empty() && theirs != ours)
-    notes.emplace_back("labels.other_frame");
-  if (image != nullptr) {
-    auto placed = placed_on(labels.file.voxels, image->grid);
-    if (!placed)
-      throw InputError(path.string(), "position",
-                       "lies on other voxels than the CT (origin, spacing, direction or size)",
-                       "Resample the segmentation to the CT's grid, or open the CT that it was drawn on");
-    labels.file.voxels = std::move(*placed);
-  }
-  if (labels.own || !codes.empty()) return labels.file;
-  codes = meanings_of(path, "SegmentedPropertyTypeCodeSequence (0062|000f)", labels.file.infos, notes);
-  return labels.file;
-}
-
-/// A file as it is read, what its codes mean (empty: they are Glisson's) and what there is to be told.
-struct Read {
-  LabelFile file;
-  LabelCodes meanings;
-  std::vector<std::string> notes;
-};
-
-Read read(const ImportLabels& command, const CaseState& state) {
-  Read read{{}, command.codes, {}};
-  read.file = has_dicom_mark(command.path) ? read_dicom(command.path, state, read.meanings, read.notes)
-                                           : read_volume(command.path, read.meanings, read.notes);
-  const Image* image = state[part::image].get();
-  if (image != nullptr) require_same_grid(read.file.voxels.grid(), image->grid, command.path.string());
-  if (!command.codes.empty()) note_left_out(read.file, command.codes, read.notes);
-  return read;
-}
-
-/// In files of others all tumours are often one label; Glisson's own say which is which. Each piece takes
-/// over how far a person had come with the label.
-void part_lesions(LabelMap& labels, Review& review, std::vector<std::string>& notes) {
-  for (const LesionSplit& split : split_lesions(labels)) {
-    const std::string name = structure_name(split.lesion) + ' ';
-    notes.push_back("labels.lesion_split " + name + std::to_string(split.others.size() + 1));
-    if (split.left > 0) notes.push_back("labels.lesion_not_split " + name + std::to_string(split.left));
-    const auto state = review.find(split.lesion);
-    if (state == review.end()) continue;
-    for (const Label piece : split.others) review[piece] = state->second;
-  }
-}
-
-/// What a file becomes, and what it says of its labels.
-LabelMap labels_of(const ImportLabels& command, const Read& read, Review& review,
-                   std::vector<std::string>& notes) {
-  const std::string path = command.path.string();
-  review = review_in(read.file, read.meanings);
-  LabelMap labels{read.file.voxels, read.file.infos};
-  if (!read.meanings.empty()) {
-    labels = recode(read.file, read.meanings, path, LeftLiver::taken);  // judged below
-    part_lesions(labels, review, notes);
-  }
-  if (command.left_liver == LeftLiver::refused)
-    require_not_mirrored(labels.voxels, path);
-  else if (looks_mirrored(labels.voxels))
-    notes.emplace_back("liver.perhaps_mirrored");
-  return labels;
-}
-
-void require_parenchyma(const Figures& figures, const std::filesystem::path& path) {
-  if (!figures.contains("label_parenchyma_ml"))
-    throw InputError(path.string(), "labels", "none of them is the liver's parenchyma",
-                     "Say which code means what with --codes FILE (see 'glisson model --help')");
+/// The labels with their figures, their review and what was told of them.
+Applied with_imported(const CaseState& state, ImportedLabels imported) {
+  Applied applied{state, {}, std::move(imported.notes)};
+  replace_labels(applied.state, std::move(imported.labels), {kImportStep, 0, 0.0});
+  put_review(applied.state, imported.review);
+  applied.figures = label_figures(applied.state);
+  return applied;
 }
 
 }  // namespace
@@ -204,15 +39,9 @@ CommandTraits ImportLabels::traits() const {
 }
 
 Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContext& context) const {
-  context.progress(0.0, "labels.read");
-  Read file = read(*this, state);
-  if (context.cancelled()) return {};
-  Applied applied{state, {}, std::move(file.notes)};
-  Review review;
-  replace_labels(applied.state, labels_of(*this, file, review, applied.notes), {kImportStep, 0, 0.0});
-  put_review(applied.state, review);
-  report_labels(applied.state, applied.figures);
-  require_parenchyma(applied.figures, path);
+  auto imported = import_labels(path, codes, left_liver, place_of(state), context);
+  if (!imported) return {};
+  Applied applied = with_imported(state, std::move(*imported));
   auto notes = orientation_notes(atlas.get(), *applied.state[part::labels], context.part(0.5, 1.0));
   if (!notes) return {};
   applied.notes.insert(applied.notes.end(), notes->begin(), notes->end());

@@ -23,6 +23,13 @@ void disown_former(const std::filesystem::path& said, const std::string& of) {
   std::filesystem::remove(said, ignored);
 }
 
+/// Of which case the copy beside it is, and of which edition.
+void say(const std::filesystem::path& said, const std::string& of, const Keeping* keeping) {
+  write_json(said, {{"of", of},
+                    {"edition", keeping != nullptr ? keeping->edition : std::string()},
+                    {"saved", local_time_text("%Y-%m-%d %H:%M")}});
+}
+
 }  // namespace
 
 CommandTraits KeepCopy::traits() const {
@@ -33,16 +40,13 @@ CommandTraits KeepCopy::traits() const {
 }
 
 Cancellable<Applied> KeepCopy::apply(const CaseState& state, const RunContext& context) const {
-  const auto& keeping = state[part::keeping];
   SavedImage none;
   SavedImage& known = saved ? *saved : none;
-  if (keeping && !known.knows(state)) known = keeping->image;
+  if (state[part::keeping] && !known.knows(state)) known = state[part::keeping]->image;
   const std::string of = state.path.empty() ? "" : case_place(state.path).string();
   disown_former(folder / kSaidName, of);
   if (!save_case(folder / kCopyName, state, context, known)) return {};
-  write_json(folder / kSaidName, {{"of", of},
-                                  {"edition", keeping ? keeping->edition : std::string()},
-                                  {"saved", local_time_text("%Y-%m-%d %H:%M")}});
+  say(folder / kSaidName, of, state[part::keeping].get());
   return Applied{state};
 }
 

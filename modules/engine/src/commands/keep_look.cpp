@@ -28,6 +28,16 @@ void require_room_for(const LabelledCloud& look, const EarlierLooks& kept, const
                      "Forget the earlier looks, or register with these");
 }
 
+/// @param name of the look, for errors. @throws InputError as require_room_for().
+EarlierLooks with_look(const EarlierLooks* before, std::shared_ptr<const LabelledCloud> look,
+                       const std::string& name) {
+  EarlierLooks kept;
+  if (before != nullptr) kept = *before;
+  require_room_for(*look, kept, name);
+  kept.clouds.push_back(std::move(look));
+  return kept;
+}
+
 }  // namespace
 
 CommandTraits KeepLook::traits() const {
@@ -45,12 +55,9 @@ CommandTraits KeepLook::traits() const {
 
 Cancellable<Applied> KeepLook::apply(const CaseState& state, const RunContext&) const {
   auto look = path ? look_in(*path, unit) : seen ? seen : state[part::cloud];
-  EarlierLooks kept;
-  if (state[part::earlier_looks]) kept = *state[part::earlier_looks];
-  require_room_for(*look, kept, path ? path->string() : "cloud");
-  kept.clouds.push_back(std::move(look));
-  Applied applied{state};
-  applied.figures["looks_kept"] = static_cast<double>(kept.clouds.size());
+  EarlierLooks kept =
+      with_look(state[part::earlier_looks].get(), std::move(look), path ? path->string() : "cloud");
+  Applied applied{state, {{"looks_kept", static_cast<double>(kept.clouds.size())}}};
   applied.state[part::earlier_looks] = std::make_shared<const EarlierLooks>(std::move(kept));
   return applied;
 }

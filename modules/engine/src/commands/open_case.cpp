@@ -43,9 +43,11 @@ std::shared_ptr<Keeping> held_for(const OpenCase& command, const Keeping* kept) 
   return keeping;
 }
 
-/// Why it is open for reading.
-std::string note_of(const CaseOwner& writer) {
-  return writer.is_there ? "case.open_for_reading " + writer.told() : "case.folder_not_writable";
+/// Why it is open for reading, if it is.
+std::vector<std::string> notes_of(const Keeping& keeping) {
+  if (!keeping.writer) return {};
+  return {keeping.writer->is_there ? "case.open_for_reading " + keeping.writer->told()
+                                   : "case.folder_not_writable"};
 }
 
 }  // namespace
@@ -55,16 +57,14 @@ CommandTraits OpenCase::traits() const {
 }
 
 Cancellable<Applied> OpenCase::apply(const CaseState& before, const RunContext& context) const {
-  Applied applied;
   const auto keeping = held_for(*this, before[part::keeping].get());
-  if (keeping->writer) applied.notes.push_back(note_of(*keeping->writer));
-  auto opened = read_steadily(path, *keeping, context, applied.notes);
+  std::vector<std::string> notes = notes_of(*keeping);
+  auto opened = read_steadily(path, *keeping, context, notes);
   if (!opened) return {};
-  applied.state = std::move(*opened);
-  applied.state[part::keeping] = keeping;
-  applied.keeps_stamps = true;
-  applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(applied.state)});
-  return applied;
+  (*opened)[part::keeping] = keeping;
+  const auto on_disk = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(*opened)});
+  return Applied{
+      .state = std::move(*opened), .notes = std::move(notes), .result = on_disk, .keeps_stamps = true};
 }
 
 }  // namespace glisson::engine

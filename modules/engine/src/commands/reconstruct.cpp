@@ -23,14 +23,20 @@ stereo::PairInput input_of(const CaseState& state) {
   return {frame->frame, *state[part::rig], frame->mask, regions ? *regions : stereo::Regions{}};
 }
 
-void tell(const stereo::PairCheck& check, Applied& applied) {
-  applied.figures["pair_matches"] = check.matches;
-  applied.figures["pair_rows_px"] = check.rows_px;
-  for (const stereo::Fault fault : check.faults)
-    applied.notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+std::vector<std::string> notes_of(const stereo::PairCloud& made) {
+  std::vector<std::string> notes;
+  if (!made.check) return notes;
+  for (const stereo::Fault fault : made.check->faults)
+    notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+  return notes;
 }
 
-void add_figures(Figures& figures, const stereo::PairCloud& made) {
+Figures figures_of(const stereo::PairCloud& made) {
+  Figures figures;
+  if (made.check) {
+    figures["pair_matches"] = made.check->matches;
+    figures["pair_rows_px"] = made.check->rows_px;
+  }
   const stereo::ReconstructReport& report = made.whole->report;
   figures["cloud_features_left"] = report.features_left;
   figures["cloud_features_right"] = report.features_right;
@@ -43,6 +49,15 @@ void add_figures(Figures& figures, const stereo::PairCloud& made) {
   figures["cloud_epipolar_rms_px"] = report.epipolar_rms_px;
   figures["cloud_sigma_median_mm"] = 1e3 * report.sigma_median;
   figures["cloud_dense"] = report.method == stereo::Method::dense ? 1.0 : 0.0;
+  return figures;
+}
+
+/// The cloud, and the points that it was made of.
+void put(CaseState& state, const stereo::ReconstructOptions& options, stereo::PairCloud made) {
+  state[part::points] = std::make_shared<const PairPoints>(
+      PairPoints{state[part::frame], state[part::rig], options, std::move(made.whole), made.part.area_cm2,
+                 made.part.density_per_cm2, std::move(made.density), std::move(made.frame_identity)});
+  state[part::cloud] = std::make_shared<const LabelledCloud>(std::move(made.part.cloud));
 }
 
 }  // namespace
@@ -57,13 +72,8 @@ CommandTraits Reconstruct::traits() const {
 Cancellable<Applied> Reconstruct::apply(const CaseState& state, const RunContext& context) const {
   auto made = stereo::reconstruct_pair(input_of(state), options, context, known_points(state));
   if (!made) return {};
-  Applied applied{state};
-  add_figures(applied.figures, *made);
-  if (made->check) tell(*made->check, applied);
-  applied.state[part::points] = std::make_shared<const PairPoints>(
-      PairPoints{state[part::frame], state[part::rig], options, std::move(made->whole), made->part.area_cm2,
-                 made->part.density_per_cm2, std::move(made->density), std::move(made->frame_identity)});
-  applied.state[part::cloud] = std::make_shared<const LabelledCloud>(std::move(made->part.cloud));
+  Applied applied{state, figures_of(*made), notes_of(*made)};
+  put(applied.state, options, std::move(*made));
   return applied;
 }
 

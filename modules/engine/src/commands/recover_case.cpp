@@ -18,6 +18,14 @@ std::shared_ptr<Keeping> keeping_of(const Recoverable& copy, const Keeping* befo
   return keeping;
 }
 
+/// The place of the case that the copy is of, and who else has it.
+void keep(Applied& applied, const Recoverable& copy, const Keeping* before) {
+  const auto keeping = keeping_of(copy, before);
+  if (keeping->writer && keeping->writer->is_there)
+    applied.notes.push_back("case.open_for_reading " + keeping->writer->told());
+  applied.state[part::keeping] = keeping;
+}
+
 }  // namespace
 
 CommandTraits RecoverCase::traits() const {
@@ -31,11 +39,7 @@ Cancellable<Applied> RecoverCase::apply(const CaseState& before, const RunContex
   applied.state = std::move(*opened);
   applied.state.path = copy.of;
   applied.keeps_stamps = true;
-  if (copy.of.empty()) return applied;
-  const auto keeping = keeping_of(copy, before[part::keeping].get());
-  if (keeping->writer && keeping->writer->is_there)
-    applied.notes.push_back("case.open_for_reading " + keeping->writer->told());
-  applied.state[part::keeping] = keeping;
+  if (!copy.of.empty()) keep(applied, copy, before[part::keeping].get());
   return applied;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/register.h"
 
+#include <cstdint>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -48,6 +49,19 @@ Cancellable<registration::ExaminedRegistration> made_with_notes(const CaseState&
   return examined;
 }
 
+/// @param operation the options of the operations that were simulated for it, where these are not `known`.
+Applied with_registered(const CaseState& state, registration::ExaminedRegistration examined,
+                        const registration::KnownOperations& known,
+                        const registration::OperationOptions& operation, std::uint64_t seed) {
+  registration::Registered& made = examined.registered;
+  Applied applied{state, figures_of(examined), told_of(made.registration)};
+  if (made.operations && made.operations != known.prior)
+    keep_operations(applied.state, operation, seed, std::move(made.operations));
+  keep_former_registration(applied.state, state);
+  applied.state[part::registration] = std::make_shared<const Registration>(std::move(made.registration));
+  return applied;
+}
+
 }  // namespace
 
 CommandTraits Register::traits() const {
@@ -65,14 +79,8 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const PatientModel model = effective_model(state);
   auto examined = made_with_notes(state, model, options, known, context);
   if (!examined) return {};
-  registration::Registered& made = examined->registered;
-  Applied applied{state, figures_of(*examined), told_of(made.registration)};
-  if (made.operations && made.operations != known.prior)
-    keep_operations(applied.state, registration::operation_of(options, model), context.seed(),
-                    std::move(made.operations));
-  keep_former_registration(applied.state, state);
-  applied.state[part::registration] = std::make_shared<const Registration>(std::move(made.registration));
-  return applied;
+  return with_registered(state, std::move(*examined), known, registration::operation_of(options, model),
+                         context.seed());
 }
 
 }  // namespace glisson::engine

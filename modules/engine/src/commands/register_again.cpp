@@ -26,11 +26,15 @@ LabelledCloud cloud_of(const CaseState& state) {
   return stage_state(state, part::cloud) == StageState::current ? *state[part::cloud] : LabelledCloud();
 }
 
+/// @throws InputError the tissue has not been seen yet.
 Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
-                                                      const PointsIn<CameraFrame>& seen,
                                                       const registration::RegisterOptions& options,
                                                       const RunContext& context) {
-  return registration::register_again(effective_model(state), cloud_of(state), seen,
+  const auto& seen = state[part::live]->tissue_at_start;
+  if (!seen)
+    throw InputError("registration", "tissue", "has not been seen often enough yet",
+                     "Follow the organ in a stereo video for a second");
+  return registration::register_again(effective_model(state), cloud_of(state), *seen,
                                       *state[part::registration], options_of(state, options), context,
                                       known_operations(state, context.seed()));
 }
@@ -45,6 +49,15 @@ Figures figures_of(const registration::RegisteredAgain& again) {
   return figures;
 }
 
+OtherRegistration other_of(registration::RegisteredAgain again) {
+  return {std::move(again.examined.registered.registration),
+          false,
+          again.is_better,
+          again.former_gap,
+          again.gap,
+          again.moved};
+}
+
 }  // namespace
 
 CommandTraits RegisterAgain::traits() const {
@@ -57,17 +70,11 @@ CommandTraits RegisterAgain::traits() const {
 }
 
 Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunContext& context) const {
-  const auto& seen = state[part::live]->tissue_at_start;
-  if (!seen)
-    throw InputError("registration", "tissue", "has not been seen often enough yet",
-                     "Follow the organ in a stereo video for a second");
-  auto again = registered(state, *seen, *this, context);
+  auto again = registered(state, *this, context);
   if (!again) return {};
-  Applied applied{state, figures_of(*again)};
-  Registration& made = again->examined.registered.registration;
-  applied.notes = made.doubts;
-  applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(OtherRegistration{
-      std::move(made), false, again->is_better, again->former_gap, again->gap, again->moved});
+  Applied applied{state, figures_of(*again), again->examined.registered.registration.doubts};
+  applied.state[part::other_registration] =
+      std::make_shared<const OtherRegistration>(other_of(std::move(*again)));
   return applied;
 }
 

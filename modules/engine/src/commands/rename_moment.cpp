@@ -19,6 +19,17 @@ void require_title(const std::string& title) {
     throw InputError("moments", "title", "is longer than a title can be", "Shorten it to 200 letters");
 }
 
+/// @throws InputError no moment of this number is kept.
+KeptMoments renamed(KeptMoments kept, int number, const std::string& title) {
+  const auto found = std::ranges::find(kept.moments, number, [](const auto& one) { return one->number; });
+  if (found == kept.moments.end())
+    throw InputError("moments", "moment " + std::to_string(number), "is not kept", "Choose one of the list");
+  auto moment = std::make_shared<KeptMoment>(**found);
+  moment->title = title;
+  *found = std::move(moment);
+  return kept;
+}
+
 }  // namespace
 
 CommandTraits RenameMoment::traits() const {
@@ -32,16 +43,9 @@ CommandTraits RenameMoment::traits() const {
 
 Cancellable<Applied> RenameMoment::apply(const CaseState& state, const RunContext&) const {
   require_title(title);
-  KeptMoments kept = *state[part::moments];
-  const auto found = std::find_if(kept.moments.begin(), kept.moments.end(),
-                                  [this](const auto& one) { return one->number == number; });
-  if (found == kept.moments.end())
-    throw InputError("moments", "moment " + std::to_string(number), "is not kept", "Choose one of the list");
-  auto renamed = std::make_shared<KeptMoment>(**found);
-  renamed->title = title;
-  *found = std::move(renamed);
   Applied applied{state};
-  applied.state[part::moments] = std::make_shared<const KeptMoments>(std::move(kept));
+  applied.state[part::moments] =
+      std::make_shared<const KeptMoments>(renamed(*state[part::moments], number, title));
   return applied;
 }
 

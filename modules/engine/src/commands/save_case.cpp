@@ -97,6 +97,20 @@ fs::path wanted_place(const fs::path& path, const CaseState& state) {
   return path.empty() ? state.path : path;
 }
 
+/// The case as it stands there now.
+Applied saved_at(const fs::path& wanted, const std::shared_ptr<Keeping>& keeping, const CaseState& state,
+                 std::vector<std::string> notes) {
+  Applied applied{state, {}, std::move(notes)};
+  const fs::path place = told_place(wanted, *keeping);
+  if (place != wanted) applied.notes.insert(applied.notes.begin(), "case.saved_beside " + place.string());
+  keeping->edition = edition_on_disk(keeping->folder);
+  applied.state.path = place;
+  applied.state[part::keeping] = keeping;
+  applied.is_final = true;
+  applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(state)});
+  return applied;
+}
+
 }  // namespace
 
 CommandTraits SaveCase::traits() const {
@@ -108,18 +122,11 @@ CommandTraits SaveCase::traits() const {
 }
 
 Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& context) const {
-  Applied applied{state};
   const fs::path wanted = wanted_place(path, state);
   const auto keeping = place_of(wanted, state[part::keeping].get(), replaces);
-  if (!write_to(wanted, *keeping, state, context, applied.notes)) return {};
-  const fs::path place = told_place(wanted, *keeping);
-  if (place != wanted) applied.notes.insert(applied.notes.begin(), "case.saved_beside " + place.string());
-  keeping->edition = edition_on_disk(keeping->folder);
-  applied.state.path = place;
-  applied.state[part::keeping] = keeping;
-  applied.is_final = true;
-  applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(state)});
-  return applied;
+  std::vector<std::string> notes;
+  if (!write_to(wanted, *keeping, state, context, notes)) return {};
+  return saved_at(wanted, keeping, state, std::move(notes));
 }
 
 }  // namespace glisson::engine

@@ -10,6 +10,19 @@
 #include "label_steps.h"
 
 namespace glisson::engine {
+namespace {
+
+Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, const RunContext& context,
+                               const Services& services) {
+  const LabelMap* kept = command.keeps_labels() ? state[part::labels].get() : nullptr;
+  auto segmented = segmentation::segment(*state[part::image], *state[part::seeds], command.options, context,
+                                         kept, services.show_evolving);
+  if (!segmented) return {};
+  return FoundLabels{std::move(segmented->labels), std::move(segmented->report.notes)};
+}
+
+}  // namespace
+
 std::set<Label> Segment::would_replace(const CaseState& state) const {
   std::set<Label> replaced = edited_by_hand(state);
   for (const Label label : options.locked) replaced.erase(label);
@@ -33,14 +46,8 @@ CommandTraits Segment::traits() const {
 
 Cancellable<Applied> Segment::apply(const CaseState& state, const RunContext& context,
                                     const Services& services) const {
-  return put_found_labels(
-      state, would_replace(state), over_hand_work, keeps_labels(), [&]() -> Cancellable<FoundLabels> {
-        auto segmented = segmentation::segment(*state[part::image], *state[part::seeds], options, context,
-                                               keeps_labels() ? state[part::labels].get() : nullptr,
-                                               services.show_evolving);
-        if (!segmented) return {};
-        return FoundLabels{std::move(segmented->labels), std::move(segmented->report.notes)};
-      });
+  return put_found_labels(state, would_replace(state), over_hand_work, keeps_labels(),
+                          [&] { return found(*this, state, context, services); });
 }
 
 }  // namespace glisson::engine

@@ -11,6 +11,19 @@
 #include "label_steps.h"
 
 namespace glisson::engine {
+namespace {
+
+/// @param[out] tiles that the network has looked at.
+Cancellable<FoundLabels> found(const SegmentByNetwork& command, const network::LabelSheet& sheet,
+                               const CaseState& state, const RunContext& context, long& tiles) {
+  auto labelled = network::label_by_network(*state[part::image], command.network, sheet, {command.locked},
+                                            context, state[part::labels].get());
+  if (!labelled) return {};
+  tiles = labelled->tiles;
+  return FoundLabels{std::move(labelled->labels), std::move(labelled->notes)};
+}
+
+}  // namespace
 
 std::set<Label> SegmentByNetwork::would_replace(const CaseState& state,
                                                 const network::LabelSheet& sheet) const {
@@ -31,14 +44,8 @@ CommandTraits SegmentByNetwork::traits() const {
 Cancellable<Applied> SegmentByNetwork::apply(const CaseState& state, const RunContext& context) const {
   const network::LabelSheet sheet = network::read_label_sheet(network);
   long tiles = 0;
-  auto applied = put_found_labels(
-      state, would_replace(state, sheet), over_hand_work, true, [&]() -> Cancellable<FoundLabels> {
-        auto found = network::label_by_network(*state[part::image], network, sheet, {locked}, context,
-                                               state[part::labels].get());
-        if (!found) return {};
-        tiles = found->tiles;
-        return FoundLabels{std::move(found->labels), std::move(found->notes)};
-      });
+  auto applied = put_found_labels(state, would_replace(state, sheet), over_hand_work, true,
+                                  [&] { return found(*this, sheet, state, context, tiles); });
   if (applied) applied->figures["network_tiles"] = static_cast<double>(tiles);
   return applied;
 }

@@ -19,6 +19,15 @@ std::optional<stereo::Cut> cut_of(const VideoSource& video, int width, int heigh
   return stereo::leaves(*video.cut, width, height) ? video.cut : std::nullopt;
 }
 
+/// The file's, for the case's pictures and video.
+StereoRig rig_in(const std::filesystem::path& path, const CaseState& state) {
+  const auto& frame = state[part::frame];
+  const auto& video = state[part::video];
+  const int width = frame ? frame->frame.left.width : 0, height = frame ? frame->frame.left.height : 0;
+  return stereo::read_calibration_for(path, width, height,
+                                      video ? cut_of(*video, width, height) : std::nullopt);
+}
+
 }  // namespace
 
 CommandTraits SetCalibration::traits() const {
@@ -30,12 +39,8 @@ CommandTraits SetCalibration::traits() const {
 }
 
 Cancellable<Applied> SetCalibration::apply(const CaseState& state, const RunContext&) const {
-  const auto& frame = state[part::frame];
-  const auto& video = state[part::video];
-  const int width = frame ? frame->frame.left.width : 0, height = frame ? frame->frame.left.height : 0;
-  const auto cut = video ? cut_of(*video, width, height) : std::nullopt;
   Applied applied{state};
-  const auto rig = std::make_shared<const StereoRig>(stereo::read_calibration_for(path, width, height, cut));
+  const auto rig = std::make_shared<const StereoRig>(rig_in(path, state));
   applied.notes = stereo::calibration_doubts(*rig);
   applied.state[part::rig] = rig;
   return applied;

@@ -10,6 +10,15 @@
 #include "told_modality.h"
 
 namespace glisson::engine {
+namespace {
+
+/// @throws InputError the image's own file has said another one.
+void require_untold(const CaseState& state, Modality modality) {
+  const auto& source = state[part::source];
+  require_modality_untold(*state[part::image], source && !source->empty(), modality, {});
+}
+
+}  // namespace
 
 CommandTraits SetModality::traits() const {
   return {.code = "set_modality",
@@ -20,13 +29,12 @@ CommandTraits SetModality::traits() const {
 
 Cancellable<Applied> SetModality::apply(const CaseState& state, const RunContext&) const {
   const Image& former = *state[part::image];
-  const auto& source = state[part::source];
-  require_modality_untold(former, source && !source->empty(), modality, {});
+  require_untold(state, modality);
   if (modality == former.modality) return Applied{state};
-  Image image = former;
-  image.modality = modality;
-  Applied applied{state, {}, image_doubts(image)};
-  applied.state[part::image] = std::make_shared<const Image>(std::move(image));
+  auto image = std::make_shared<Image>(former);
+  image->modality = modality;
+  Applied applied{state, {}, image_doubts(*image)};
+  applied.state[part::image] = std::move(image);
   return applied;
 }
 

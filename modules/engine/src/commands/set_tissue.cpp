@@ -6,6 +6,16 @@
 #include "glisson/patient/label_map.h"
 
 namespace glisson::engine {
+namespace {
+
+std::vector<std::string> notes_of(const fem::Tissue& tissue, const PatientModel& model) {
+  std::vector<std::string> notes;
+  for (const Label lesion : fem::lesions_without_elements(tissue, model))
+    notes.push_back("tissue.no_elements " + structure_name(lesion));
+  return notes;
+}
+
+}  // namespace
 
 CommandTraits SetTissue::traits() const {
   return {.code = "set_tissue",
@@ -20,12 +30,9 @@ Cancellable<Applied> SetTissue::apply(const CaseState& state, const RunContext&)
   const PatientModel& model = state[part::model]->model;
   tissue.validate();
   fem::require_lesions_of(tissue, model);
-  Applied applied{state};
-  for (const Label lesion : fem::lesions_without_elements(tissue, model))
-    applied.notes.push_back("tissue.no_elements " + structure_name(lesion));
-  // The same once more makes nothing out of date.
+  Applied applied{state, {}, notes_of(tissue, model)};
   const fem::Tissue said = fem::rounded(tissue);  // as a case on disk keeps it
-  if (said == tissue_of(state)) return applied;
+  if (said == tissue_of(state)) return applied;   // nothing becomes out of date
   applied.state[part::tissue] = said.empty() ? nullptr : std::make_shared<const fem::Tissue>(said);
   return applied;
 }

@@ -30,24 +30,22 @@ void write_step(const Simulate& command, const fem::CompositeModel& model, int s
   write_tet_mesh(command.folder / step_name(step), file, command.unit);
 }
 
-/// Writes steps on the way, and tells how far anything went on it.
+/// Writes steps on the way. @param[out] peak metres, how far anything went on it.
 Cancellable<fem::SimulationResult> simulated(const Simulate& command,
                                              const std::shared_ptr<const fem::CompositeModel>& model,
-                                             const RunContext& context, Figures& figures) {
-  double peak = 0.0;
-  auto result = fem::simulate(
+                                             const RunContext& context, double& peak) {
+  return fem::simulate(
       model, command.load, command.options, context,
       [&](const fem::SimulationRecord& record, const Points& positions) {
         peak = std::max(peak, record.displacement_max);
         if (record.step % std::max(1, command.every) == 0 && record.step != command.options.steps)
           write_step(command, *model, record.step, positions);
       });
-  figures["displacement_peak_mm"] = 1e3 * peak;
-  return result;
 }
 
-/// @pre it has records.
-void add_figures(Figures& figures, const fem::CompositeModel& model, const fem::SimulationResult& result) {
+/// @param peak metres. @pre there are records.
+Figures figures_of(const fem::CompositeModel& model, const fem::SimulationResult& result, double peak) {
+  Figures figures;
   const fem::SimulationRecord& last = result.records.back();
   figures["simulation_steps"] = static_cast<double>(result.records.size());
   figures["simulation_converged"] = result.converged ? 1.0 : 0.0;
@@ -63,12 +61,27 @@ void add_figures(Figures& figures, const fem::CompositeModel& model, const fem::
   std::vector<double> milliseconds;
   for (const fem::SimulationRecord& record : result.records) milliseconds.push_back(record.milliseconds);
   figures["step_p50_ms"] = upper_median(std::move(milliseconds));
+  figures["displacement_peak_mm"] = 1e3 * peak;
+  return figures;
 }
 
 fem::CompositeOptions materials_of(const Simulate& command, const CaseState& state) {
   fem::CompositeOptions materials = command.materials.value_or(fem::CompositeOptions());
   if (command.law) materials.law = *command.law;
   return fem::with_tissue(materials, tissue_of(state, !command.materials), state[part::model]->model.mesh);
+}
+
+std::shared_ptr<const fem::CompositeModel> model_of(const Simulate& command, const CaseState& state) {
+  const PatientModel& patient = state[part::model]->model;
+  return std::make_shared<const fem::CompositeModel>(patient.mesh, patient.vessels,
+                                                     materials_of(command, state));
+}
+
+/// The last step, and the table of all. @pre there are records.
+void write_end(const Simulate& command, const fem::CompositeModel& model,
+               const fem::SimulationResult& result) {
+  write_step(command, model, result.records.back().step, result.positions);
+  fem::write_simulation_csv(command.folder / "steps.csv", result.records);
 }
 
 }  // namespace
@@ -78,15 +91,12 @@ CommandTraits Simulate::traits() const {
 }
 
 Cancellable<Applied> Simulate::apply(const CaseState& state, const RunContext& context) const {
-  const PatientModel& patient = state[part::model]->model;
-  const auto model =
-      std::make_shared<const fem::CompositeModel>(patient.mesh, patient.vessels, materials_of(*this, state));
-  Applied applied{state};
-  const auto result = simulated(*this, model, context, applied.figures);
+  const auto model = model_of(*this, state);
+  double peak = 0.0;
+  const auto result = simulated(*this, model, context, peak);
   if (!result || result->records.empty()) return {};
-  write_step(*this, *model, result->records.back().step, result->positions);
-  fem::write_simulation_csv(folder / "steps.csv", result->records);
-  add_figures(applied.figures, *model, *result);
+  write_end(*this, *model, *result);
+  Applied applied{state, figures_of(*model, *result, peak)};
   if (!result->converged) applied.notes.emplace_back("simulation_not_converged");
   return applied;
 }

@@ -16,6 +16,16 @@ Figures figures_of(const registration::OperationPrior& prior) {
   return {{"operations_simulated", prior.operations}, {"operations_motion_mean_mm", 1e3 * prior.mean_motion}};
 }
 
+/// @return false: cancelled.
+bool simulate_into(CaseState& state, const registration::OperationOptions& options,
+                   const RunContext& context) {
+  auto made = registration::simulate_operations(effective_model(state), options, context);
+  if (!made) return false;
+  keep_operations(state, options, context.seed(),
+                  std::make_shared<const registration::OperationPrior>(std::move(*made)));
+  return true;
+}
+
 }  // namespace
 
 CommandTraits SimulateOperations::traits() const {
@@ -31,12 +41,8 @@ Cancellable<Applied> SimulateOperations::apply(const CaseState& state, const Run
   const registration::KnownOperations known = known_operations(state, context.seed());
   const registration::OperationOptions options = with_tissue_of(state, *this);
   Applied applied{state};
-  if (!known.prior || known.options != options) {
-    auto made = registration::simulate_operations(effective_model(state), options, context);
-    if (!made) return {};
-    keep_operations(applied.state, options, context.seed(),
-                    std::make_shared<const registration::OperationPrior>(std::move(*made)));
-  }
+  const bool are_known = known.prior && known.options == options;
+  if (!are_known && !simulate_into(applied.state, options, context)) return {};
   applied.figures = figures_of(*applied.state[part::operations]->prior);
   return applied;
 }

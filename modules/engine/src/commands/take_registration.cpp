@@ -14,12 +14,22 @@ namespace glisson::engine {
 namespace {
 
 /// @throws InputError it was refused.
-OtherRegistration other_of(const CaseState& state) {
+const OtherRegistration& other_of(const CaseState& state) {
   const OtherRegistration& other = *state[part::other_registration];
   if (registration::is_refused(other.registration))
     throw InputError("registration", "the other one", "was refused: what is known contradicts it",
                      "Register again, from more of the surface");
   return other;
+}
+
+/// The other one takes the place of the case's, and that one its place.
+void exchange(CaseState& made, const CaseState& before, const OtherRegistration& other) {
+  keep_former_registration(made, before);
+  made[part::registration] = std::make_shared<const Registration>(other.registration);
+  auto former = std::make_shared<OtherRegistration>(other);
+  former->registration = *before[part::registration];
+  former->is_former = !other.is_former;
+  made[part::other_registration] = std::move(former);
 }
 
 }  // namespace
@@ -39,15 +49,10 @@ Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunCo
                                              const Services& services) const {
   require_seen(state, part::other_registration, seen);
   Follower& follower = follower_of(services);
-  OtherRegistration former = other_of(state);
-  auto taken = std::make_shared<const Registration>(std::move(former.registration));
-  Applied applied = with_live(state, follower.take(*taken), follower);
-  keep_former_registration(applied.state, state);
-  former.registration = *state[part::registration];
-  former.is_former = !former.is_former;
-  applied.notes = taken->doubts;
-  applied.state[part::registration] = std::move(taken);
-  applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(std::move(former));
+  const OtherRegistration& other = other_of(state);
+  Applied applied = with_live(state, follower.take(other.registration), follower);
+  exchange(applied.state, state, other);
+  applied.notes = other.registration.doubts;
   return applied;
 }
 

@@ -3,22 +3,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../image_entry.h"
+#include "../image_file.h"
 #include "../ranged.h"
 #include "glisson/volume/io.h"
 
 namespace glisson::engine {
+namespace {
 using nlohmann::json;
 
-json image_entry(const Image& image) {
+json entry_of(const CaseState& state) {
+  const Image& image = *state[part::image];
   return {{"modality", static_cast<int>(image.modality)}, {"description", image.description}};
 }
 
-namespace {
-
 json save(const CaseState& state, const CaseFolder& folder) {
   write_image(folder.path / kImageFile, *state[part::image]);
-  return image_entry(*state[part::image]);
+  return entry_of(state);
 }
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
@@ -40,7 +40,9 @@ const PartOf<Image> part::image{{.code = "image",
                                  .remedy = "Import a CT first",
                                  .files = {kImageFile},
                                  .save = save,
+                                 .entry = entry_of,
                                  .load = load,
+                                 .reading_share = 0.6,
                                  .same = same}};
 
 }  // namespace glisson::engine

@@ -9,6 +9,7 @@ namespace glisson::engine {
 const PartOf<LiveState> part::live{{.code = "live",
                                     .made_of = {part::registration, part::video},
                                     .remedy = "Start tracking first",
+                                    .follows = {part::registration},
                                     .is_live = true,
                                     .is_input = false}};
 

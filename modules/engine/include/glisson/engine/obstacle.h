@@ -28,13 +28,13 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
-/// The first of `needs` that is not there; else the first of `current` that is out of date, followed back to
-/// where that begins: made again of an input that is itself out of date, a part would be so as before. Else
-/// the first of `accepted` that stands refused.
+/// What stands in the way, in this order: the first of `needs` that is not there; the first of `current` that
+/// is out of date; the first of `accepted` that stands refused. A part that is out of date because its inputs
+/// are is traced back to the first of them: that one has to be made anew before it.
 std::optional<Obstacle> obstacle(const CaseState& state, const Needs& needs, const Parts& current = {},
                                  const Parts& accepted = {});
-/// What stands in the way of a command, by its traits; last, that it would put another registration below
-/// what is followed (CommandTraits::writes has it, but not the live part).
+/// What stands in the way of a command, by its traits. After the above: it would change a part below what
+/// goes on from it (PartSpec::follows), as the registration from which the organ is followed.
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command);
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command);
 

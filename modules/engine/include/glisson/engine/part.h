@@ -101,9 +101,15 @@ struct PartSpec {
   /// Writes its files and gives its entry in case.json. Empty: it is not kept on the disk.
   /// @throws FileError.
   std::function<nlohmann::json(const CaseState&, const CaseFolder&)> save = {};
+  /// Its entry in case.json where its files stand already, taken over from an earlier edition (SavedImage).
+  /// Empty: its files are written each time.
+  std::function<nlohmann::json(const CaseState&)> entry = {};
   /// Reads it back into the state. Leaves it out when cancelled, or when it is lost (CaseFolder::lost).
   /// @throws FileError, InputError naming file and field.
   std::function<void(CaseState&, const nlohmann::json& entry, const CaseFolder&)> load = {};
+  /// Share of the time in which a case is read, of a part that takes long and tells how far it is; 0: one of
+  /// those that share what is left.
+  double reading_share = 0.0;
   /// Whether what was read back is what was written, but for what files round. Every part that is saved says
   /// so.
   std::function<bool(const CaseState& written, const CaseState& read)> same = {};
@@ -116,6 +122,9 @@ struct PartSpec {
   std::function<bool(const CaseState&)> is_refused = {};
   /// What to do then, for errors.
   std::string_view refused_remedy = {};
+  /// What goes on from while this part is there, and would not learn of a change: only commands that write
+  /// this part, too, may write these.
+  std::vector<Part> follows = {};
   /// Changes with every frame of the live view: no reason to draw the case anew.
   bool is_live = false;
   /// A person's word, or what knows itself whether it still holds: made from nothing, and nothing becomes
@@ -123,7 +132,8 @@ struct PartSpec {
   bool stands_alone = false;
   /// Of no use to others: nothing becomes stale by it.
   bool is_input = true;
-  /// What it follows from no longer once a command has changed it instead of making it anew.
+  /// Parts that it is made of, and no longer counts as made from once a command has changed it instead of
+  /// making it anew.
   std::vector<Part> changed_frees_from = {};
 };
 

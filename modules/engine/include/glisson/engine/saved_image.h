@@ -19,9 +19,10 @@ class SavedImage {
   bool knows(const CaseState& state) const;
   /// Puts the file that is remembered into `fresh` when it holds the image of this state, to the byte: by a
   /// second name for it where the case is to stand where that file is, else as a copy.
-  /// @param place where the case will stand. False: the image is to be written.
-  bool take_over(const CaseState& state, const std::filesystem::path& place,
-                 const std::filesystem::path& fresh) const;
+  /// @param place where the case will stand.
+  /// @return the parts whose files stand in `fresh` now: the image, or none.
+  Parts take_over(const CaseState& state, const std::filesystem::path& place,
+                  const std::filesystem::path& fresh) const;
   /// The case in `folder` holds the state's image: it has just been read from there, or written and read
   /// back. Nothing is remembered where its file is not the one that case.json lists.
   /// @param place where that folder will stand.
@@ -29,6 +30,8 @@ class SavedImage {
                 const std::filesystem::path& place);
 
  private:
+  bool put_file(const std::filesystem::path& place, const std::filesystem::path& fresh) const;
+
   std::weak_ptr<const Image> image_;
   std::filesystem::path place_;
   std::string sum_;  ///< empty: nothing is remembered
