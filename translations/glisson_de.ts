@@ -6048,6 +6048,29 @@
     </message>
 </context>
 <context>
+    <name>LeftLiverQuestion</name>
+    <message>
+        <source>Liver left of the vena cava</source>
+        <translation>Leber links der Hohlvene</translation>
+    </message>
+    <message>
+        <source>In %1 the liver lies left of the vena cava: has it been operated on (right liver removed), or is the image mirrored?</source>
+        <translation>In %1 liegt die Leber links der Hohlvene: Wurde sie operiert (rechte Leber entfernt), oder ist das Bild gespiegelt?</translation>
+    </message>
+    <message>
+        <source>In a mirrored image left and right are exchanged in all that follows. Where you are not sure, import nothing: look at the image, and correct the direction in the file&apos;s header if it is mirrored.</source>
+        <translation>In einem gespiegelten Bild sind links und rechts in allem vertauscht, was folgt. Wenn Sie nicht sicher sind, importieren Sie nichts: Sehen Sie das Bild an, und berichtigen Sie die Richtung im Kopf der Datei, wenn es gespiegelt ist.</translation>
+    </message>
+    <message>
+        <source>Operated on: import</source>
+        <translation>Operiert: importieren</translation>
+    </message>
+    <message>
+        <source>Mirrored or not sure: do not import</source>
+        <translation>Gespiegelt oder nicht sicher: nicht importieren</translation>
+    </message>
+</context>
+<context>
     <name>LesionTexts</name>
     <message>
         <source>shown</source>

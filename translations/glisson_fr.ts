@@ -6048,6 +6048,29 @@
     </message>
 </context>
 <context>
+    <name>LeftLiverQuestion</name>
+    <message>
+        <source>Liver left of the vena cava</source>
+        <translation>Foie à gauche de la veine cave</translation>
+    </message>
+    <message>
+        <source>In %1 the liver lies left of the vena cava: has it been operated on (right liver removed), or is the image mirrored?</source>
+        <translation>Dans %1, le foie est à gauche de la veine cave : a-t-il été opéré (foie droit enlevé), ou l’image est-elle en miroir ?</translation>
+    </message>
+    <message>
+        <source>In a mirrored image left and right are exchanged in all that follows. Where you are not sure, import nothing: look at the image, and correct the direction in the file&apos;s header if it is mirrored.</source>
+        <translation>Dans une image en miroir, gauche et droite sont échangées dans tout ce qui suit. En cas de doute, n’importez rien : regardez l’image et corrigez la direction dans l’en-tête du fichier si elle est en miroir.</translation>
+    </message>
+    <message>
+        <source>Operated on: import</source>
+        <translation>Opéré : importer</translation>
+    </message>
+    <message>
+        <source>Mirrored or not sure: do not import</source>
+        <translation>En miroir ou pas sûr : ne pas importer</translation>
+    </message>
+</context>
+<context>
     <name>LesionTexts</name>
     <message>
         <source>shown</source>
