@@ -38,9 +38,9 @@ engine::KeptMoment moment_of(const PaintedOverlay& painted) {
   moment.measures = painted.measures;
   moment.place = job.interest.place;
   if (job.margin) moment.margin = *job.margin;
-  moment.model_unchecked = job.model_unchecked;
-  moment.landmarks_open = job.landmarks.is_open;
-  moment.landmarks_from_statistics = job.landmarks.from_statistics;
+  moment.model_unchecked = job.status.model_unchecked;
+  moment.landmarks_open = job.status.landmarks_open;
+  moment.landmarks_from_statistics = job.status.landmarks_from_statistics;
   moment.model_revision = job.model_revision;
   moment.rig_revision = job.rig_revision;
   const PointsIn<CtFrame>& at_rest = job.model->model->mesh.vertices;
