@@ -297,10 +297,6 @@
         <translation>Ein Gefäß anklicken: was jenseits seiner dünnsten Stelle daran hängt, kommt zum anderen Baum. Strg tut das andere von beiden.</translation>
     </message>
     <message>
-        <source>Open a CT first.</source>
-        <translation>Zuerst ein CT öffnen.</translation>
-    </message>
-    <message>
         <source>New labels are on their way: wait for them, or cancel that.</source>
         <translation>Neue Labels sind unterwegs: warten Sie darauf, oder brechen Sie das ab.</translation>
     </message>
@@ -13791,10 +13787,6 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>Nothing is followed: start tracking, then keep a moment.</source>
         <translation>Nichts wird verfolgt: Beginnen Sie die Verfolgung, dann heben Sie einen Moment auf.</translation>
-    </message>
-    <message>
-        <source>There is no video: open one and track it, then keep a moment.</source>
-        <translation>Es gibt kein Video: Öffnen Sie eines und verfolgen Sie es, dann heben Sie einen Moment auf.</translation>
     </message>
     <message>
         <source>The overlay is being prepared: there is nothing to keep yet.</source>

@@ -297,10 +297,6 @@
         <translation>Cliquez un vaisseau : ce qui y pend au-delà de son point le plus mince passe à l&apos;autre arbre. Ctrl fait l&apos;autre des deux.</translation>
     </message>
     <message>
-        <source>Open a CT first.</source>
-        <translation>Ouvrez d&apos;abord un scanner.</translation>
-    </message>
-    <message>
         <source>New labels are on their way: wait for them, or cancel that.</source>
         <translation>De nouvelles étiquettes arrivent : attendez-les, ou annulez.</translation>
     </message>
@@ -13791,10 +13787,6 @@ Mode %3 à %4 écarts types
     <message>
         <source>Nothing is followed: start tracking, then keep a moment.</source>
         <translation>Rien n&apos;est suivi : commencez le suivi, puis conservez un instant.</translation>
-    </message>
-    <message>
-        <source>There is no video: open one and track it, then keep a moment.</source>
-        <translation>Il n&apos;y a pas de vidéo : ouvrez-en une et suivez-la, puis conservez un instant.</translation>
     </message>
     <message>
         <source>The overlay is being prepared: there is nothing to keep yet.</source>
