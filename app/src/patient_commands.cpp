@@ -20,6 +20,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/patient_held.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/segmentation/added_clicks.h"
 #include "glisson/ui/common/series_texts.h"
 #include "glisson/volume/io.h"

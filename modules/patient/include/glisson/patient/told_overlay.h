@@ -16,6 +16,7 @@ struct ToldOverlay {
   /// Of each lesion whose 95 % region is known: "lesion_1_expected_error_mm", "lesion_1_reach_95_mm".
   Figures figures;
 };
+/// Of one frame.
 ToldOverlay told(const OverlayFrame& overlay);
 
 }  // namespace glisson
