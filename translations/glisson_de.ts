@@ -297,10 +297,6 @@
         <translation>Ein Gefäß anklicken: was jenseits seiner dünnsten Stelle daran hängt, kommt zum anderen Baum. Strg tut das andere von beiden.</translation>
     </message>
     <message>
-        <source>Open a CT first.</source>
-        <translation>Zuerst ein CT öffnen.</translation>
-    </message>
-    <message>
         <source>New labels are on their way: wait for them, or cancel that.</source>
         <translation>Neue Labels sind unterwegs: warten Sie darauf, oder brechen Sie das ab.</translation>
     </message>
@@ -6045,6 +6041,29 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>LeftLiverQuestion</name>
+    <message>
+        <source>Liver left of the vena cava</source>
+        <translation>Leber links der Hohlvene</translation>
+    </message>
+    <message>
+        <source>In %1 the liver lies left of the vena cava: has it been operated on (right liver removed), or is the image mirrored?</source>
+        <translation>In %1 liegt die Leber links der Hohlvene: Wurde sie operiert (rechte Leber entfernt), oder ist das Bild gespiegelt?</translation>
+    </message>
+    <message>
+        <source>In a mirrored image left and right are exchanged in all that follows. Where you are not sure, import nothing: look at the image, and correct the direction in the file&apos;s header if it is mirrored.</source>
+        <translation>In einem gespiegelten Bild sind links und rechts in allem vertauscht, was folgt. Wenn Sie nicht sicher sind, importieren Sie nichts: Sehen Sie das Bild an, und berichtigen Sie die Richtung im Kopf der Datei, wenn es gespiegelt ist.</translation>
+    </message>
+    <message>
+        <source>Operated on: import</source>
+        <translation>Operiert: importieren</translation>
+    </message>
+    <message>
+        <source>Mirrored or not sure: do not import</source>
+        <translation>Gespiegelt oder nicht sicher: nicht importieren</translation>
     </message>
 </context>
 <context>
@@ -13768,10 +13787,6 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>Nothing is followed: start tracking, then keep a moment.</source>
         <translation>Nichts wird verfolgt: Beginnen Sie die Verfolgung, dann heben Sie einen Moment auf.</translation>
-    </message>
-    <message>
-        <source>There is no video: open one and track it, then keep a moment.</source>
-        <translation>Es gibt kein Video: Öffnen Sie eines und verfolgen Sie es, dann heben Sie einen Moment auf.</translation>
     </message>
     <message>
         <source>The overlay is being prepared: there is nothing to keep yet.</source>

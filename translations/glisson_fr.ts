@@ -297,10 +297,6 @@
         <translation>Cliquez un vaisseau : ce qui y pend au-delà de son point le plus mince passe à l&apos;autre arbre. Ctrl fait l&apos;autre des deux.</translation>
     </message>
     <message>
-        <source>Open a CT first.</source>
-        <translation>Ouvrez d&apos;abord un scanner.</translation>
-    </message>
-    <message>
         <source>New labels are on their way: wait for them, or cancel that.</source>
         <translation>De nouvelles étiquettes arrivent : attendez-les, ou annulez.</translation>
     </message>
@@ -6045,6 +6041,29 @@
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>LeftLiverQuestion</name>
+    <message>
+        <source>Liver left of the vena cava</source>
+        <translation>Foie à gauche de la veine cave</translation>
+    </message>
+    <message>
+        <source>In %1 the liver lies left of the vena cava: has it been operated on (right liver removed), or is the image mirrored?</source>
+        <translation>Dans %1, le foie est à gauche de la veine cave : a-t-il été opéré (foie droit enlevé), ou l’image est-elle en miroir ?</translation>
+    </message>
+    <message>
+        <source>In a mirrored image left and right are exchanged in all that follows. Where you are not sure, import nothing: look at the image, and correct the direction in the file&apos;s header if it is mirrored.</source>
+        <translation>Dans une image en miroir, gauche et droite sont échangées dans tout ce qui suit. En cas de doute, n’importez rien : regardez l’image et corrigez la direction dans l’en-tête du fichier si elle est en miroir.</translation>
+    </message>
+    <message>
+        <source>Operated on: import</source>
+        <translation>Opéré : importer</translation>
+    </message>
+    <message>
+        <source>Mirrored or not sure: do not import</source>
+        <translation>En miroir ou pas sûr : ne pas importer</translation>
     </message>
 </context>
 <context>
@@ -13768,10 +13787,6 @@ Mode %3 à %4 écarts types
     <message>
         <source>Nothing is followed: start tracking, then keep a moment.</source>
         <translation>Rien n&apos;est suivi : commencez le suivi, puis conservez un instant.</translation>
-    </message>
-    <message>
-        <source>There is no video: open one and track it, then keep a moment.</source>
-        <translation>Il n&apos;y a pas de vidéo : ouvrez-en une et suivez-la, puis conservez un instant.</translation>
     </message>
     <message>
         <source>The overlay is being prepared: there is nothing to keep yet.</source>

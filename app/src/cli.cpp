@@ -366,7 +366,8 @@ engine::Outcome Session::post(engine::Command command) {
   clear_progress();
   for (const auto& [key, value] : outcome->figures) figures[key] = value;
   figures["seconds_" + outcome->command] = outcome->seconds;
-  notes.insert(notes.end(), outcome->notes.begin(), outcome->notes.end());
+  for (const std::string& note : outcome->notes)  // what an import tells its model may tell, too
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
   return *outcome;
 }
 

@@ -5,11 +5,11 @@
 #include "glisson/core/stopwatch.h"
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/obstacle.h"
-#include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/ui/common/overlay_status.h"
 
 namespace glisson::app {
 namespace {
@@ -26,16 +26,11 @@ OverlayDrawer::OverlayDrawer(const engine::CaseState& state, const scene::Overla
       drawable_(scene::make_drawable(
           std::make_shared<const PatientModel>(engine::effective_model(drawable(state))))),
       painter_(drawable_, drawable_->model->landmarks.anterior_margin, camera_, style),
-      model_unchecked_(!engine::is_model_checked(state)),
-      landmarks_(engine::landmark_review(state)) {}
+      status_(ui::overlay_status(state)) {}
 
 Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay,
                             const scene::OverlayInterest& interest) {
-  scene::OverlayStatus status;
-  status.model_unchecked = model_unchecked_;
-  status.landmarks_open = landmarks_.is_open;
-  status.landmarks_from_statistics = landmarks_.from_statistics;
-  return painter_.paint(frame.left, overlay, status, interest);
+  return painter_.paint(frame.left, overlay, status_, interest);
 }
 
 std::optional<guidance::SurfacePlace> OverlayDrawer::place_at(const Eigen::Vector2d& pixel,

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "cli.h"
-#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/guidance/each_frame.h"
 #include "glisson/guidance/tracker.h"
@@ -38,8 +37,7 @@ class OverlayDrawer {
   Camera camera_;
   std::shared_ptr<const scene::DrawableModel> drawable_;
   scene::OverlayPainter painter_;
-  bool model_unchecked_;
-  engine::LandmarkReview landmarks_;
+  scene::OverlayStatus status_;
 };
 
 /// Records drawn frames as a video of the left camera, under another name ("a.incomplete.mkv") until it is

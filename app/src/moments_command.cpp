@@ -10,9 +10,11 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/moments.h"
 #include "glisson/engine/parts/rig.h"
-#include "glisson/patient/label_map.h"
+#include "glisson/guidance/lesion_meter.h"
+#include "glisson/patient/told_overlay.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_reader.h"
+#include "glisson/ui/common/overlay_status.h"
 #include "glisson/ui/scene/overlay_painter.h"
 
 namespace glisson::app {
@@ -39,30 +41,20 @@ void say_row(const engine::KeptMoment& moment) {
 
 /// The same for --json: flat keys.
 void tell(const engine::KeptMoment& moment, Session& session) {
-  const std::string name = "moment_" + std::to_string(moment.number);
-  const auto add = [&](const std::string& key, double metres) {
-    if (std::isfinite(metres)) session.figures[name + key] = 1e3 * metres;
+  const std::string name = "moment_" + std::to_string(moment.number) + '_';
+  const auto add = [&](const Figures& figures) {
+    for (const auto& [key, value] : figures)
+      if (std::isfinite(value)) session.figures[name + key] = value;
   };
-  session.figures[name + "_frame"] = moment.overlay.index;
-  session.figures[name + "_time_s"] = moment.overlay.seconds;
-  add("_residual_mm", moment.overlay.residual);
-  session.texts[name + "_kept_at"] = moment.kept_at;
-  session.texts[name + "_title"] = moment.title;
-  session.texts[name + "_level"] = level_code(moment.overlay.level());
-  session.texts[name + "_validity"] = validity_code(moment.overlay.validity);
-  for (const LesionVerdict& verdict : moment.overlay.lesions) {
-    const std::string lesion = "_" + structure_name(verdict.lesion);
-    session.texts[name + lesion + "_level"] = level_code(verdict.level);
-    session.texts[name + lesion + "_reason"] = lesion_reason_code(verdict.reason);
-    if (verdict.reach <= 0.0) continue;
-    add(lesion + "_expected_error_mm", verdict.expected);
-    add(lesion + "_reach_95_mm", verdict.reach);
-  }
-  if (!moment.measures) return;
-  const std::string lesion = "_" + structure_name(moment.measures->lesion);
-  add(lesion + "_depth_along_sight_mm", moment.measures->along_sight);
-  add(lesion + "_depth_shortest_mm", moment.measures->shortest);
-  add(lesion + "_from_mark_mm", moment.measures->from_place);
+  const ToldOverlay overlay = told(moment.overlay);
+  session.figures[name + "frame"] = moment.overlay.index;
+  session.figures[name + "time_s"] = moment.overlay.seconds;
+  add({{"residual_mm", 1e3 * moment.overlay.residual}});
+  add(overlay.figures);
+  if (moment.measures) add(guidance::measure_figures(*moment.measures));
+  session.texts[name + "kept_at"] = moment.kept_at;
+  session.texts[name + "title"] = moment.title;
+  for (const auto& [key, text] : overlay.texts) session.texts[name + key] = text;
 }
 
 /// Draws moments again, as they were.
@@ -75,12 +67,7 @@ class MomentDrawer {
     if (!drawable_)
       drawable_ = scene::make_drawable(std::make_shared<const PatientModel>(engine::effective_model(state_)));
     scene::OverlayPainter painter(drawable_, moment.margin, state_[part::rig]->left);
-    scene::OverlayStatus status;
-    status.stands = true;
-    status.model_unchecked = moment.model_unchecked;
-    status.landmarks_open = moment.landmarks_open;
-    status.landmarks_from_statistics = moment.landmarks_from_statistics;
-    return painter.paint(left, moment.overlay, status, {moment.chosen, moment.place, {}});
+    return painter.paint(left, moment.overlay, ui::overlay_status(moment), {moment.chosen, moment.place, {}});
   }
 
  private:

@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "label_output.h"
 
-#include "glisson/core/error.h"
 #include "glisson/engine/commands/correct_around.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
@@ -18,12 +17,11 @@
 #include "glisson/engine/commands/set_modality.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/hand_edits.h"
-#include "glisson/engine/parts/cloud.h"
-#include "glisson/engine/parts/image.h"
-#include "glisson/engine/parts/labels.h"
-#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/patient_held.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/segmentation/added_clicks.h"
 #include "glisson/ui/common/series_texts.h"
 #include "glisson/volume/io.h"
 
@@ -86,15 +84,6 @@ std::optional<Modality> modality_from(const QString& text) {
   const auto modality = modality_named(text.toStdString());
   if (modality && *modality != Modality::other) return modality;
   throw UsageError(Cli::tr("--modality %1: write ct or mr.").arg(text).toStdString());
-}
-
-/// Another CT of the same patient, or another patient's: the window asks the same.
-/// @throws InputError where there is something already that it would stand beside.
-void require_empty(const engine::CaseState& state, const fs::path& folder) {
-  if (state[part::image] || state[part::labels] || state[part::model] || state[part::cloud])
-    throw InputError(folder.string(), "", "is a case already",
-                     "Choose another one for another patient; for another image of the same patient give "
-                     "--replace: all else stays, marked out of date");
 }
 
 /// The series of a folder in the order of the window's list, and what speaks against each.
@@ -160,16 +149,9 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
 void correct_by_seeds(Session& session, const fs::path& path, const std::vector<Label>& locked) {
   const auto known = session.state()[part::seeds];
   const segmentation::Seeds seeds = segmentation::read_seeds(path);
-  const segmentation::Seeds before = known ? *known : segmentation::Seeds{};
-  const auto added = segmentation::clicks_added(before, seeds);
-  const auto grown = segmentation::structure_clicks_added(before, seeds);
-  if (added.empty() && grown.empty())
-    throw InputError(
-        path.string(), "",
-        "has no click on the liver, beside it, on its veins or on a lesion that the case does not have",
-        "Add one, or leave --correct out");
+  const auto added = segmentation::added_clicks(known ? *known : segmentation::Seeds{}, seeds, path.string());
   session.post(engine::SetSeeds{seeds});
-  session.post(engine::CorrectAround{added, seeds, locked, grown});
+  session.post(engine::CorrectAround{added.liver, seeds, locked, added.structures});
 }
 
 void declare_segment(Arguments& arguments) {
@@ -259,7 +241,7 @@ int run_import(const QStringList& given) {
   const auto modality = modality_from(arguments.value("modality"));
   Session session(arguments);
   open_case_if_there(arguments, session);
-  if (!arguments.has("replace")) require_empty(session.state(), folder);
+  if (!arguments.has("replace")) engine::require_no_patient(session.state(), folder);
   session.call("image", input.toStdString());
   session.post(
       engine::ImportImage{input.toStdString(), arguments.value("series").toStdString(), false, modality});

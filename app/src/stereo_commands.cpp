@@ -288,7 +288,7 @@ void bring_pair(const Arguments& arguments, Session& session) {
 /// How far off the cloud is, where its truth is given, and where its points are dense enough.
 void tell_cloud(const Arguments& arguments, Session& session) {
   const stereo::DensityMap& density = session.state()[part::points]->density;
-  session.figures["cloud_area_cm2"] = density.area_cm2;
+  session.tell(stereo::density_figures(density));
   if (arguments.has("density"))
     stereo::write_picture(arguments.path("density"),
                           stereo::density_picture(density, session.state()[part::frame]->frame.left));

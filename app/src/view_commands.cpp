@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be looked at: render, overlay.
 #include <algorithm>
-#include <cmath>
 
 #include "cli.h"
 #include "commands.h"
@@ -10,7 +9,9 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/track_evaluation.h"
+#include "glisson/guidance/lesion_meter.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/patient/told_overlay.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/scene/model_surfaces.h"
 #include "glisson/ui/scene/montage.h"
@@ -154,16 +155,6 @@ void show_video(Session& session, const Replayed& replayed, int last, const guid
     follow_video(session, {}, last, frame);
 }
 
-void add_measures(const guidance::LesionMeasures& measures, Figures& figures) {
-  const std::string lesion = structure_name(measures.lesion);
-  const auto add = [&](const char* name, double metres) {
-    if (std::isfinite(metres)) figures[lesion + name] = 1e3 * metres;
-  };
-  add("_depth_along_sight_mm", measures.along_sight);
-  add("_depth_shortest_mm", measures.shortest);
-  add("_from_mark_mm", measures.from_place);
-}
-
 }  // namespace
 
 int run_render(const QStringList& given) {
@@ -200,18 +191,11 @@ int run_render(const QStringList& given) {
     const scene::OverlayInterest interest = question.interest(drawer, overlay);
     picture = arguments.value("look") == kAllLooks ? all_looks(drawer, style, frame, overlay, interest)
                                                    : drawer.draw(frame, overlay, interest);
-    if (const auto& measures = drawer.measures()) add_measures(*measures, session.figures);
-    session.texts["validity"] = validity_code(overlay.validity);
-    session.texts["level"] = level_code(overlay.level());
+    if (const auto& measures = drawer.measures()) session.tell(guidance::measure_figures(*measures));
+    const ToldOverlay of_frame = told(overlay);
+    session.tell(of_frame.figures);
+    for (const auto& [key, text] : of_frame.texts) session.texts[key] = text;
     if (overlay.level() != Level::valid) session.texts["remedy"] = scene::remedy_text(overlay.validity);
-    for (const LesionVerdict& verdict : overlay.lesions) {
-      const std::string lesion = structure_name(verdict.lesion);
-      session.texts[lesion + "_level"] = level_code(verdict.level);
-      session.texts[lesion + "_reason"] = lesion_reason_code(verdict.reason);
-      if (verdict.reach <= 0.0) continue;
-      session.figures[lesion + "_expected_error_mm"] = 1e3 * verdict.expected;
-      session.figures[lesion + "_reach_95_mm"] = 1e3 * verdict.reach;
-    }
     session.figures["registration_residual_mm"] = 1e3 * overlay.residual;
   });
   if (picture.empty())

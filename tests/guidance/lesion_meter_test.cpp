@@ -34,6 +34,7 @@ class LesionMeterTest : public QObject {
   void ALesionThatComesFirstHasNoDepth();
   void WhatIsNotThereCannotBeMeasured();
   void NodesOfAnotherModelAreRefused();
+  void OnlyWhatCanBeSaidIsAFigure();
 
  private:
   LesionMeter meter() const {
@@ -124,6 +125,18 @@ void LesionMeterTest::WhatIsNotThereCannotBeMeasured() {
 void LesionMeterTest::NodesOfAnotherModelAreRefused() {
   LesionMeter measured = meter();
   QVERIFY_THROWS_EXCEPTION(PreconditionError, measured.move(Points::Ones(3, 3)));
+}
+
+void LesionMeterTest::OnlyWhatCanBeSaidIsAFigure() {
+  LesionMeasures measures;
+  measures.lesion = structure::kFirstLesion;
+  QVERIFY(measure_figures(measures).empty());
+  measures.along_sight = 0.015625;
+  measures.from_place = 0.5;
+  QCOMPARE(measure_figures(measures),
+           (Figures{{"lesion_1_depth_along_sight_mm", 15.625}, {"lesion_1_from_mark_mm", 500.0}}));
+  measures.shortest = 0.25;
+  QCOMPARE(measure_figures(measures).at("lesion_1_depth_shortest_mm"), 250.0);
 }
 
 QTEST_APPLESS_MAIN(LesionMeterTest)

@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/patient/label_sides.h"
 #include "glisson/patient/segment_meaning.h"
 
 using namespace glisson;
@@ -55,6 +56,7 @@ class LabelMapTest : public QObject {
   void RecodeFollowsTheTable();
   void RecodeRefusesAFileWithoutLiver();
   void RecodeRefusesAMirroredPatient();
+  void SidesAreToldForAnyMeaningOfTheCodes();
   void APartThatIsSplitOffBecomesWhatIsFree();
   void CodesAreReadByName();
   void LesionsOfOtherOrgansAreNoneOfTheLiver();
@@ -127,6 +129,27 @@ void LabelMapTest::RecodeRefusesAMirroredPatient() {
   QVERIFY_THROWS_EXCEPTION(InputError, require_not_mirrored(turned, "turned.nii"));
   QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(turned), as_they_are, "x"));
   QVERIFY(recode(file_of(turned), as_they_are, "x", LeftLiver::taken).voxels == turned);
+}
+
+void LabelMapTest::SidesAreToldForAnyMeaningOfTheCodes() {
+  LabelVolume voxels(cube(40, 2.0));
+  voxels.set({5, 5, 5}, 70);  // x grows to the patient's left
+  voxels.set({20, 5, 5}, 71);
+  voxels.set({38, 5, 5}, 72);
+  const LabelSides sides(voxels);
+  QVERIFY(!sides.look_mirrored());  // no code of Glisson's is in it
+  using structure::kParenchyma, structure::kVenaCava;
+  for (const auto& [codes, wanted] : std::vector<std::pair<LabelCodes, bool>>{
+           {{{70, kParenchyma}, {71, kVenaCava}}, false},
+           {{{71, kParenchyma}, {70, kVenaCava}}, true},
+           {{{70, kParenchyma}}, false},
+           // Its lesions are the liver's: what lies farther left than both outweighs the other.
+           {{{70, kParenchyma}, {71, kVenaCava}, {72, structure::kFirstLesion}}, true}}) {
+    QCOMPARE(sides.look_mirrored(codes), wanted);
+    const LabelMap recoded = recode(file_of(voxels), codes, "x", LeftLiver::taken);
+    QCOMPARE(LabelSides(recoded.voxels).look_mirrored(), wanted);
+  }
+  QVERIFY(!LabelSides().look_mirrored());
 }
 
 void LabelMapTest::CodesAreReadByName() {

@@ -12,6 +12,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/patient/told_overlay.h"
 
 using namespace glisson;
 
@@ -70,6 +71,7 @@ class OverlayRecordTest : public QObject {
   void WhetherAPictureIsACopyNeedNotBeKnown();
   void NodesInTheLineComeBack();
   void NodesThatAreNoPointsAreRefused();
+  void WhatIsToldIsFlat();
   void ALesionsVerdictIsWrittenInTheUnitOfItsLine_data() {
     QTest::addColumn<int>("unit");
     QTest::addColumn<double>("per_metre");
@@ -325,6 +327,23 @@ void OverlayRecordTest::NodesThatAreNoPointsAreRefused() {
   write_file_atomically(folder.path() / "frames.jsonl",
                         QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() + "\n");
   QVERIFY_THROWS_EXCEPTION(InputError, read_overlay_record(folder.path() / "frames.jsonl"));
+}
+
+void OverlayRecordTest::WhatIsToldIsFlat() {
+  OverlayFrame overlay;
+  overlay.validity = Validity::partly_covered;
+  overlay.lesions = {verdict(0, Level::degraded, LesionReason::far_from_points),
+                     verdict(1, Level::withdrawn, LesionReason::error_unknown)};
+  overlay.lesions[1].reach = 0.0;  // unknown
+  const ToldOverlay all = told(overlay);
+  QCOMPARE(all.texts, (std::map<std::string, std::string>{{"level", "degraded"},
+                                                          {"validity", "partly_covered"},
+                                                          {"lesion_1_level", "degraded"},
+                                                          {"lesion_1_reason", "far_from_points"},
+                                                          {"lesion_2_level", "withdrawn"},
+                                                          {"lesion_2_reason", "error_unknown"}}));
+  QCOMPARE(all.figures, (Figures{{"lesion_1_expected_error_mm", 1e3 * overlay.lesions[0].expected},
+                                 {"lesion_1_reach_95_mm", 1e3 * overlay.lesions[0].reach}}));
 }
 
 QTEST_APPLESS_MAIN(OverlayRecordTest)

@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/random.h"
+#include "glisson/segmentation/added_clicks.h"
 #include "noisy_ct.h"
 #include "points_at.h"
 
@@ -237,6 +238,13 @@ void GrowAroundTest::OnlyNewClicksCount() {
   after.hepatic_veins = vein.p_in_ct.xyz.transpose();
   QVERIFY((structure_clicks_added(before, after) == std::vector<StructureClick>{vein, second}));
   QVERIFY(structure_clicks_added(after, after).empty());
+  QVERIFY_THROWS_EXCEPTION(InputError, added_clicks(after, after, "seeds.json"));
+  // One of either kind is enough.
+  QVERIFY(
+      (added_clicks(before, after, "seeds.json").structures == std::vector<StructureClick>{vein, second}));
+  Seeds beside = after;
+  beside.background = vein.p_in_ct.xyz.transpose();
+  QCOMPARE(added_clicks(after, beside, "seeds.json").liver.size(), std::size_t{1});
   // The same place, drawn wider.
   before = after;
   after.lesion_diameters_mm = {25.0, 0.0};

@@ -6,6 +6,8 @@
 #include <QPushButton>
 
 #include "glisson/patient/segment_meaning.h"
+#include "glisson/ui/common/left_liver_question.h"
+#include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/label_meanings.h"
 #include "segmentation_window.h"
 
@@ -40,6 +42,10 @@ class LabelImportTest : public QObject, private SegmentationWindow {
   void WhoCancelsImportsNothing();
   void GlissonsOwnPlainFileTakesItsNumbers();
   void WhatCannotBeReadSaysWhy();
+  void ALiverOnTheLeftIsNotImportedUnlessAPersonSaysSo_data();
+  void ALiverOnTheLeftIsNotImportedUnlessAPersonSaysSo();
+  void ALiverOnTheLeftThatWasOperatedOnIsImported_data();
+  void ALiverOnTheLeftThatWasOperatedOnIsImported();
 
  private:
   static LabelInfo segment(Label code, const std::string& name, Label terminology) {
@@ -64,6 +70,23 @@ class LabelImportTest : public QObject, private SegmentationWindow {
         {segment(1, "Segment_1", structure::kFirstOther), segment(2, "Leber", structure::kFirstOther),
          segment(3, "Segment_3", structure::kFirstOther)});
     return path;
+  }
+  /// The window's labels with a vena cava on the right of all of them, as a right hepatectomy leaves it.
+  LabelVolume liver_on_the_left() const {
+    LabelVolume voxels = read_labels(folder_->path() / "labels.seg.nrrd").voxels;
+    for (int k = 0; k < voxels.grid().size.z(); ++k) voxels.set({4, 30, k}, structure::kVenaCava);
+    return voxels;
+  }
+  /// Of all labels in it, as Glisson names them.
+  static std::vector<LabelInfo> known_infos() {
+    std::vector<LabelInfo> infos;
+    for (const Label label :
+         {structure::kParenchyma, structure::kPortalVein, structure::kVenaCava, structure::kFirstLesion})
+      infos.push_back(structure_info(label));
+    return infos;
+  }
+  QMessageBox* left_liver_question() {
+    return window_->findChild<QMessageBox*>(QStringLiteral("left_liver_question"));
   }
   ui::LabelMeanings* question() { return window_->findChild<ui::LabelMeanings*>(); }
   bool is_asked() {
@@ -183,6 +206,63 @@ void LabelImportTest::WhatCannotBeReadSaysWhy() {
   QVERIFY2(window_->findChild<QMessageBox*>()->text().contains(QStringLiteral("gone.seg.nrrd")),
            qPrintable(window_->findChild<QMessageBox*>()->text()));
   QVERIFY(question() == nullptr);
+}
+
+void LabelImportTest::ALiverOnTheLeftIsNotImportedUnlessAPersonSaysSo_data() {
+  QTest::addColumn<Qt::Key>("key");
+  QTest::newRow("Enter") << Qt::Key_Return;
+  QTest::newRow("Escape") << Qt::Key_Escape;
+}
+
+void LabelImportTest::ALiverOnTheLeftIsNotImportedUnlessAPersonSaysSo() {
+  QFETCH(const Qt::Key, key);
+  open_labels();
+  const LabelVolume before = labels();
+  const auto path = folder_->path() / "left.seg.nrrd";
+  write_labels(path, liver_on_the_left(), known_infos());
+  window_->open(path);
+  QTRY_VERIFY(left_liver_question() != nullptr && left_liver_question()->isVisible());
+  QVERIFY2(left_liver_question()->text().contains(QStringLiteral("left.seg.nrrd")),
+           qPrintable(left_liver_question()->text()));
+  QTest::keyClick(left_liver_question(), key);
+  QTRY_VERIFY(left_liver_question() == nullptr);
+  QVERIFY(settle());
+  QVERIFY(labels() == before);
+  QVERIFY(window_->findChild<QMessageBox*>() == nullptr);  // it is no error
+}
+
+void LabelImportTest::ALiverOnTheLeftThatWasOperatedOnIsImported_data() {
+  QTest::addColumn<QString>("file");
+  QTest::newRow("the file says what each label is") << "left.seg.nrrd";
+  QTest::newRow("the person says it") << "left.nii.gz";
+}
+
+void LabelImportTest::ALiverOnTheLeftThatWasOperatedOnIsImported() {
+  QFETCH(const QString, file);
+  open_labels();
+  const LabelVolume left = liver_on_the_left();
+  const auto path = folder_->path() / file.toStdString();
+  const bool is_asked_first = file.endsWith(QLatin1String(".nii.gz"));
+  write_labels(path, left, is_asked_first ? std::vector<LabelInfo>() : known_infos());
+  panel().import_labels(path);
+  if (is_asked_first) {
+    QVERIFY(is_asked());
+    QVERIFY(left_liver_question() == nullptr);
+    QTest::mouseClick(button(*question(), "take_numbers"), Qt::LeftButton);
+    QTest::mouseClick(button(*question(), "import_meanings"), Qt::LeftButton);
+  }
+  QTRY_VERIFY(left_liver_question() != nullptr && left_liver_question()->isVisible());
+  QTest::mouseClick(left_liver_question()->findChild<QPushButton*>(QStringLiteral("left_liver_operated")),
+                    Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(labels() == left);
+  // It was told by the question, and is not told again.
+  for (const QMessageBox* box : window_->findChildren<QMessageBox*>())
+    QVERIFY2(box->objectName() == QLatin1String("left_liver_question") ||
+                 !box->text().contains(ui::note_text("liver.perhaps_mirrored")),
+             qPrintable(box->text()));
+  QCOMPARE(ui::without_left_liver({"a", "liver.perhaps_mirrored", "b"}),
+           (std::vector<std::string>{"a", "b"}));
 }
 
 }  // namespace glisson

@@ -370,8 +370,8 @@ void SegmentationToolsTest::ObstaclesAreNamed() {
   settings.region.locked = liver;
   QCOMPARE(ui::obstacle_of(edit_tool("paint"), settings, liver), EditObstacle::label_locked);
   for (const EditObstacle obstacle :
-       {EditObstacle::no_volume, EditObstacle::label_locked, EditObstacle::label_empty,
-        EditObstacle::other_empty, EditObstacle::same_label, EditObstacle::one_label})
+       {EditObstacle::label_locked, EditObstacle::label_empty, EditObstacle::other_empty,
+        EditObstacle::same_label, EditObstacle::one_label})
     QVERIFY(!ui::obstacle_text(obstacle).isEmpty());
 }
 

@@ -2,32 +2,51 @@
 #include "demo_progress.h"
 
 #include "demo_input.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
 
 namespace glisson::experiments {
 namespace {
 
 using Plan = std::vector<std::pair<std::string, double>>;
 
+/// A stage that is a command goes by the command's own code.
+template <class C>
+std::pair<std::string, double> stage(double seconds) {
+  return {std::string(C().traits().code), seconds};
+}
+
 /// Seconds that the stages took on two cores at 3 GHz; only their ratios matter.
 Plan plan_of(const DemoOptions& options) {
   Plan plan;
   switch (input_of(options)) {
     case DemoInput::synthetic:
-      plan = {{"synthetic_patient", 12.0}, {"segment", 20.0}, {"build_model", 5.0}};
+      plan = {{"synthetic_patient", 12.0}, stage<engine::Segment>(20.0), stage<engine::BuildModel>(5.0)};
       break;
     case DemoInput::open_case:
-      plan = {{"open_case", 4.0}};
+      plan = {stage<engine::OpenCase>(4.0)};
       break;
     case DemoInput::labels:
-      plan = {{"import_labels", 2.0}, {"build_model", 5.0}};
+      plan = {stage<engine::ImportLabels>(2.0), stage<engine::BuildModel>(5.0)};
       break;
     case DemoInput::surfaces:
-      plan = {{"import_surfaces", 4.0}};
+      plan = {stage<engine::ImportSurfaces>(4.0)};
       break;
   }
   const double frames = options.theatre.frames;
-  const Plan rest = {{"theatre", 8.0},   {"film", 0.2 * frames},   {"register", 12.0}, {"reconstruct", 0.6},
-                     {"register", 12.0}, {"track", 0.05 * frames}, {"save_case", 1.5}};
+  const Plan rest = {{"theatre", 8.0},
+                     {"film", 0.2 * frames},
+                     stage<engine::Register>(12.0),
+                     stage<engine::Reconstruct>(0.6),
+                     stage<engine::Register>(12.0),
+                     {"track", 0.05 * frames},
+                     stage<engine::SaveCase>(1.5)};
   plan.insert(plan.end(), rest.begin(), rest.end());
   return plan;
 }

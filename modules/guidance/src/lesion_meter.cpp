@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/patient/label_map.h"
 
 namespace glisson::guidance {
 namespace {
@@ -37,6 +38,17 @@ double first_hit(const ClosestPointTree& tree, const Eigen::Vector3d& direction)
 }
 
 }  // namespace
+
+Figures measure_figures(const LesionMeasures& measures) {
+  Figures figures;
+  const auto add = [&](const char* what, double metres) {
+    if (std::isfinite(metres)) figures[structure_name(measures.lesion) + what] = 1e3 * metres;
+  };
+  add("_depth_along_sight_mm", measures.along_sight);
+  add("_depth_shortest_mm", measures.shortest);
+  add("_from_mark_mm", measures.from_place);
+  return figures;
+}
 
 struct LesionMeter::Impl {
   TetMesh mesh;

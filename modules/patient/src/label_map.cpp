@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/patient/label_sides.h"
 #include "glisson/volume/morphology.h"
 
 namespace glisson {
@@ -27,24 +28,6 @@ std::optional<Label> code_from(const std::string& text) {
 void set_united(Mask& mask, const Mask& more, const Mask& where) {
   for (std::size_t i = 0; i < mask.voxels.size(); ++i)
     if (more.voxels[i] != 0 && where.voxels[i] != 0) mask.voxels[i] = 1;
-}
-
-/// Mean LPS x of the voxels that satisfy `wanted`, mm.
-std::optional<double> mean_left_mm(const LabelVolume& voxels, const std::function<bool(Label)>& wanted) {
-  const VolumeGrid& grid = voxels.grid();
-  const std::vector<std::uint8_t> mask = voxels.mask(wanted);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  long count = 0;
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i, ++at)
-        if (mask[at] != 0) {
-          sum += Eigen::Vector3d(i, j, k);
-          ++count;
-        }
-  if (count == 0) return std::nullopt;
-  return 1e3 * grid.p_in_ct(sum / static_cast<double>(count)).xyz.x();
 }
 
 }  // namespace
@@ -91,12 +74,7 @@ std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm
   return whole;
 }
 
-bool looks_mirrored(const LabelVolume& labels) {
-  // The vena cava runs near the midline, the bulk of the liver to the patient's right of it.
-  const auto liver = mean_left_mm(labels, is_liver_tissue);
-  const auto cava = mean_left_mm(labels, [](Label label) { return label == structure::kVenaCava; });
-  return liver && cava && *cava < *liver;
-}
+bool looks_mirrored(const LabelVolume& labels) { return LabelSides(labels).look_mirrored(); }
 
 void require_not_mirrored(const LabelVolume& labels, const std::string& name) {
   if (looks_mirrored(labels))

@@ -107,6 +107,8 @@ DensityMap density_map(const LabelledCloud& cloud, const Camera& left, const Pic
   return map;
 }
 
+Figures density_figures(const DensityMap& map) { return {{"cloud_area_cm2", map.area_cm2}}; }
+
 Picture density_picture(const DensityMap& map, const Picture& left) {
   // Told apart by people who do not tell red from green (Okabe and Ito 2008), blue green red.
   const cv::Scalar enough(178, 114, 0), few(0, 159, 230), none(0, 94, 213);

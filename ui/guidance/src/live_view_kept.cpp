@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "glisson/engine/parts/moments.h"
+#include "glisson/ui/common/overlay_status.h"
 #include "glisson/ui/guidance/live_view_model.h"
 #include "glisson/ui/guidance/moment_texts.h"
 
@@ -44,8 +45,7 @@ void LiveViewModel::draw_kept() {
   job.right = kept_->right;
   job.overlay = moment.overlay;
   job.interest = kept_interest_;
-  job.model_unchecked = moment.model_unchecked;
-  job.landmarks = {moment.landmarks_open, moment.landmarks_from_statistics};
+  job.status = overlay_status(moment);
   is_kept_painted_ = false;
   submit(std::move(job));
 }

@@ -5,18 +5,17 @@
 #include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
-#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/guidance/lesion_judge.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/overlay_status.h"
 
 namespace glisson::ui {
 namespace {
@@ -89,8 +88,7 @@ OverlayJob LiveViewModel::make_job() {
   job.rig = now[part::rig];
   job.style = style_;
   job.interest = interest_;
-  job.model_unchecked = now[part::model] && !engine::is_model_checked(now);
-  job.landmarks = engine::landmark_review(now);
+  job.status = overlay_status(now);
   job.model_revision = now.stamp(part::model).revision;
   job.rig_revision = now.stamp(part::rig).revision;
   return job;
@@ -179,7 +177,7 @@ void LiveViewModel::redraw() {
   if (drawables_.drawable()) job.model = drawables_.drawable();
   job.taken.reset();  // it is not live any more
   job.is_live = false;
-  job.frames_per_second = 0.0;
+  job.status.frames_per_second = 0.0;
   submit(std::move(job));
 }
 
@@ -192,7 +190,7 @@ void LiveViewModel::show_registered() {
   if (now[part::registration]) {
     const bool current = engine_.snapshot()->stage(part::registration) == engine::StageState::current;
     const bool refused = registration::is_refused(*now[part::registration]);
-    job.refused = current && refused;
+    job.status.refused = current && refused;
     job.overlay.validity = !current ? Validity::stale : refused ? Validity::not_started : Validity::valid;
     job.overlay.nodes_in_camera = now[part::registration]->nodes_in_camera;
     job.overlay.residual = now[part::registration]->residual;
@@ -204,7 +202,7 @@ void LiveViewModel::show_registered() {
   if (is_of_this_model) {
     const int index = job.overlay.index;
     job.overlay = OverlayFrame();
-    job.refused = false;
+    job.status.refused = false;
     job.overlay.index = index;
     job.overlay.validity = Validity::proposed;
     job.overlay.nodes_in_camera = proposed_->nodes;
@@ -241,7 +239,7 @@ void LiveViewModel::show_live() {
   // Not those that were on their way, nor one of which nobody knows how old it is.
   job.is_live = job.taken && !playback_.is_paused && !playback_.is_frozen;
   job.source_rate = playback_.feed().frames_per_second();
-  job.frames_per_second = rate();
+  job.status.frames_per_second = rate();
   live_job_ = job;
   kept_ ? draw_unseen(std::move(job)) : submit(std::move(job));
 }
@@ -275,7 +273,7 @@ void LiveViewModel::show_present() {
   job.interest = interest_;
   job.taken.reset();
   job.is_live = false;
-  job.frames_per_second = 0.0;
+  job.status.frames_per_second = 0.0;
   submit(std::move(job));
   if (playback_.is_frozen) show_frozen();
 }

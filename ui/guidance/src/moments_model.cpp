@@ -14,7 +14,6 @@
 #include "glisson/engine/commands/rename_moment.h"
 #include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/moments.h"
-#include "glisson/engine/parts/video.h"
 #include "glisson/patient/overlay_record.h"
 #include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/png.h"
@@ -38,9 +37,9 @@ engine::KeptMoment moment_of(const PaintedOverlay& painted) {
   moment.measures = painted.measures;
   moment.place = job.interest.place;
   if (job.margin) moment.margin = *job.margin;
-  moment.model_unchecked = job.model_unchecked;
-  moment.landmarks_open = job.landmarks.is_open;
-  moment.landmarks_from_statistics = job.landmarks.from_statistics;
+  moment.model_unchecked = job.status.model_unchecked;
+  moment.landmarks_open = job.status.landmarks_open;
+  moment.landmarks_from_statistics = job.status.landmarks_from_statistics;
   moment.model_revision = job.model_revision;
   moment.rig_revision = job.rig_revision;
   const PointsIn<CtFrame>& at_rest = job.model->model->mesh.vertices;
@@ -118,9 +117,10 @@ QString MomentsModel::why_not() const {
         "live (End).");
   const PaintedOverlay& painted = live_.on_screen();
   const bool is_followed = playback_.is_tracking || playback_.is_frozen;
-  if (!is_followed || !painted.made_from || painted.made_from->right.empty())
-    return engine_.state()[part::video] ? tr("Nothing is followed: start tracking, then keep a moment.")
-                                        : tr("There is no video: open one and track it, then keep a moment.");
+  if (!is_followed || !painted.made_from || painted.made_from->right.empty()) {
+    const QString first = PlaybackModel::requirement(*engine_.snapshot());
+    return first.isEmpty() ? tr("Nothing is followed: start tracking, then keep a moment.") : first;
+  }
   if (!painted.made_from->model || !painted.made_from->rig)
     return tr("The overlay is being prepared: there is nothing to keep yet.");
   return {};

@@ -34,10 +34,10 @@ struct OverlayWorker::Studio {
       rig = job.rig;
     }
     painter->set_style(job.style);
-    return painter->paint(job.frame, job.overlay,
-                          {job.is_live ? age : 0.0, job.frames_per_second, job.model_unchecked, !job.is_live,
-                           job.landmarks.is_open, job.landmarks.from_statistics, job.refused},
-                          job.interest);
+    scene::OverlayStatus status = job.status;
+    status.age_seconds = job.is_live ? age : 0.0;
+    status.stands = !job.is_live;
+    return painter->paint(job.frame, job.overlay, status, job.interest);
   }
 
   std::optional<guidance::LesionMeasures> measures() const {

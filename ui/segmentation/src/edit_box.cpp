@@ -329,7 +329,7 @@ void EditBox::show_state() {
   QString text;
   const char* role = "muted";
   if (session_.tool() != nullptr && obstacle != EditObstacle::none) {
-    text = obstacle_text(obstacle);
+    text = session_.why_not();
     role = "warning";
   } else if (!session_.problem().empty()) {
     text = error_text(session_.problem());

@@ -13,12 +13,16 @@
 #include "glisson/engine/commands/redo_labels.h"
 #include "glisson/engine/commands/set_review.h"
 #include "glisson/engine/commands/undo_labels.h"
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/patient/label_difference.h"
 #include "glisson/ui/common/being_made.h"
+#include "glisson/ui/common/texts.h"
+#include "glisson/ui/segmentation/edit_texts.h"
+#include "glisson/ui/segmentation/slice_circle.h"
 
 namespace glisson::ui {
 namespace {
@@ -36,15 +40,9 @@ Points points_of(const std::vector<Eigen::Vector3d>& path) {
 
 /// A ring about a click, in its slice.
 std::shared_ptr<const SliceLine> ring_about(const SliceGesture& gesture, Label label) {
-  constexpr int kCorners = 32;
   constexpr double kRadius = 2e-3;
-  SliceLine line{{gesture.slice.plane, gesture.p}, Points(kCorners, 3), label, false};
-  const Eigen::Vector3d u = gesture.slice.right.normalized(), v = gesture.slice.down.normalized();
-  for (int n = 0; n < kCorners; ++n) {
-    const double angle = 2.0 * M_PI * n / kCorners;
-    line.corners.row(n) = (gesture.p.xyz + kRadius * (std::cos(angle) * u + std::sin(angle) * v)).transpose();
-  }
-  return std::make_shared<const SliceLine>(std::move(line));
+  return line_of({gesture.p.xyz, kRadius, gesture.slice.right.normalized(), gesture.slice.down.normalized()},
+                 gesture, label);
 }
 
 /// Whether a line encloses anything: three corners, some pixels wide and high.
@@ -158,10 +156,15 @@ void EditSession::show_hand() {
 }
 
 EditObstacle EditSession::obstacle() const {
-  if (!engine_.state()[part::image]) return EditObstacle::no_volume;
+  if (engine::obstacle(*engine_.snapshot(), engine::EditLabels{})) return EditObstacle::case_first;
   if (is_replaced_) return EditObstacle::replaced;
   if (engine_.state()[part::offer]) return EditObstacle::offered;
   return obstacle_of(tool_, settings_, present_);
+}
+
+QString EditSession::why_not() const {
+  const auto first = engine::obstacle(*engine_.snapshot(), engine::EditLabels{});
+  return first ? obstacle_text(first) : obstacle_text(obstacle());
 }
 
 void EditSession::show_case() {

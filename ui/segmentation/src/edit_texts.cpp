@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QHash>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "glisson/ui/common/texts.h"
@@ -27,9 +28,8 @@ class EditTexts {
   static QString obstacle(EditObstacle obstacle) {
     switch (obstacle) {
       case EditObstacle::none:
+      case EditObstacle::case_first:  // the engine's words
         break;
-      case EditObstacle::no_volume:
-        return tr("Open a CT first.");
       case EditObstacle::replaced:
         return tr("New labels are on their way: wait for them, or cancel that.");
       case EditObstacle::offered:
@@ -93,7 +93,10 @@ QString step_text(const editing::StepName& step, const EditTools& tools) {
   QStringList parts = {
       EditTexts::steps(tools).value(QString::fromStdString(step.code), readable_code(step.code))};
   // A brush is known by its diameter, all else by its radius or distance.
-  const bool brush = step.code == "paint" || step.code == "erase";
+  const bool brush = std::ranges::any_of(tools, [&](EditTool tool) {
+    return tool->hand(EditSettings()) == Hand::brush &&
+           std::ranges::any_of(tool->steps, [&](const auto& one) { return step.code == one.code; });
+  });
   if (step.size > 0.0) parts << EditTexts::millimetres(brush ? 2.0 * step.size : step.size);
   if (step.label != structure::kBackground) parts << structure_text(step.label);
   return parts.join(QStringLiteral(", "));

@@ -6,6 +6,7 @@
 
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/ui/common/built_in_atlas.h"
+#include "glisson/ui/common/left_liver_question.h"
 #include "glisson/volume/dicom_segmentation.h"
 
 namespace glisson::ui {
@@ -38,18 +39,26 @@ void LabelImport::accept(const std::filesystem::path& path, const FoundLabels& f
   if (found.must_be_asked())
     ask(path, found);
   else
-    post(path, {});
+    import_as(path, found, {});
 }
 
 void LabelImport::ask(const std::filesystem::path& path, const FoundLabels& found) {
   auto* dialog = new LabelMeanings(found, QString::fromStdString(path.filename().string()), owner_->window());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog, path] { post(path, dialog->codes()); });
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog, path, found] { import_as(path, found, dialog->codes()); });
   dialog->open();  // does not stop the window
 }
 
-void LabelImport::post(const std::filesystem::path& path, const LabelCodes& codes) {
-  engine_.post(engine::ImportLabels{path, codes, built_in_atlas_if_any()});
+void LabelImport::import_as(const std::filesystem::path& path, const FoundLabels& found,
+                            const LabelCodes& codes) {
+  if (!found.sides.look_mirrored(codes.empty() ? found.meanings() : codes))
+    return post(path, codes, LeftLiver::refused);
+  ask_left_liver(owner_->window(), path, [this, path, codes] { post(path, codes, LeftLiver::taken); });
+}
+
+void LabelImport::post(const std::filesystem::path& path, const LabelCodes& codes, LeftLiver left_liver) {
+  engine_.post(engine::ImportLabels{path, codes, built_in_atlas_if_any(), left_liver});
 }
 
 }  // namespace glisson::ui

@@ -62,11 +62,19 @@ bool FoundLabels::must_be_asked() const {
          });
 }
 
+LabelCodes FoundLabels::meanings() const {
+  LabelCodes codes;
+  for (const FoundLabel& label : labels)
+    if (label.meaning) codes[label.info.code] = *label.meaning;
+  return codes;
+}
+
 FoundLabels found_labels(const LabelFile& file, bool is_own) {
   const bool are_others = !is_own && std::ranges::any_of(file.infos, is_named_otherwise);
   const LabelCodes meant = are_others ? codes_meant(file.infos) : LabelCodes();
   const std::vector<long> counts = file.voxels.histogram();
   FoundLabels found;
+  found.sides = LabelSides(file.voxels);
   for (std::size_t code = 1; code < counts.size(); ++code) {
     if (counts[code] == 0) continue;
     FoundLabel label;

@@ -13,6 +13,7 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
+#include <memory>
 #include <utility>
 
 #include "glisson/core/error.h"
@@ -31,6 +32,7 @@
 #include "glisson/ui/segmentation/click_box.h"
 #include "glisson/ui/segmentation/network_box.h"
 #include "glisson/ui/segmentation/region_box.h"
+#include "glisson/ui/segmentation/slice_circle.h"
 
 namespace glisson::ui {
 namespace {
@@ -76,14 +78,9 @@ std::shared_ptr<const SliceLine> circle_of(const SliceGesture& gesture, const Ei
                                            double radius, Label label) {
   constexpr int kCorners = 48;
   const int normal = scene::normal_axis(gesture.slice.plane);
-  const Eigen::Vector3d u = Eigen::Vector3d::Unit((normal + 1) % 3),
-                        v = Eigen::Vector3d::Unit((normal + 2) % 3);
-  SliceLine line{{gesture.slice.plane, gesture.p}, Points(kCorners, 3), label, false};
-  for (int n = 0; n < kCorners; ++n) {
-    const double angle = 2.0 * M_PI * n / kCorners;
-    line.corners.row(n) = (middle + radius * (std::cos(angle) * u + std::sin(angle) * v)).transpose();
-  }
-  return std::make_shared<const SliceLine>(std::move(line));
+  return line_of({middle, radius, Eigen::Vector3d::Unit((normal + 1) % 3),
+                  Eigen::Vector3d::Unit((normal + 2) % 3), kCorners},
+                 gesture, label);
 }
 
 QVBoxLayout* column_of(QWidget* widget) { return static_cast<QVBoxLayout*>(widget->layout()); }
@@ -481,8 +478,12 @@ void SeedBox::show_markers() {
 }
 
 QString SeedBox::obstacle() const {
+  engine::CaseState now = engine_.state();
+  // Those that are on their way come before what is pressed next.
+  if (!storing_.empty()) now[part::seeds] = std::make_shared<const segmentation::Seeds>(seeds_);
+  const engine::Segment command{options(), engine::OverHandWork::offer};
+  if (const auto first = engine::obstacle(now, command)) return obstacle_text(first);
   const auto& image = engine_.state()[part::image];
-  if (const auto first = engine::obstacle(engine_.state(), {part::image})) return obstacle_text(first);
   const auto& region = region_->region();
   if (region && (1e3 * region->sizes().array() < kLeastVoxels * image->grid.spacing_mm.maxCoeff()).any())
     return tr("The box is too small.");

@@ -9,10 +9,8 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/read_image.h"
-#include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/image.h"
-#include "glisson/engine/parts/labels.h"
-#include "glisson/engine/parts/model.h"
+#include "glisson/engine/patient_held.h"
 #include "glisson/ui/shell/series_dialog.h"
 
 namespace glisson::ui {
@@ -41,15 +39,9 @@ void ImageImport::start(const std::filesystem::path& path) {
     read({});
 }
 
-bool ImageImport::is_case_open() const {
-  const engine::CaseState& now = engine_.state();
-  return now[engine::part::image] || now[engine::part::labels] || now[engine::part::model] ||
-         now[engine::part::cloud];
-}
-
 void ImageImport::read(const std::string& series) {
   image_.series = series;
-  if (is_case_open())
+  if (engine::holds_patient(engine_.state()))
     reading_ = engine_.post(engine::ReadImage{image_.path, series});
   else
     finish(image_);

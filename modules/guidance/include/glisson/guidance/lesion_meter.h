@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "glisson/core/json_file.h"
 #include "glisson/patient/patient_model.h"
 
 namespace glisson::guidance {
@@ -36,6 +37,10 @@ struct LesionMeasures {
   /// From the marked place to the lesion's nearest point.
   double from_place = std::numeric_limits<double>::quiet_NaN();
 };
+
+/// "lesion_1_depth_along_sight_mm", "lesion_1_depth_shortest_mm", "lesion_1_from_mark_mm": those that can be
+/// said.
+Figures measure_figures(const LesionMeasures& measures);
 
 /// Measures lesions in a model as it is deformed now. What it says is as good as the model's place, and no
 /// better: tell the verdict with it. Not thread-safe.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "glisson/core/json_file.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/patient/labelled_cloud.h"
@@ -41,6 +42,9 @@ struct DensityMap {
 /// @pre points with normals; valid options; a mask of the camera's size.
 DensityMap density_map(const LabelledCloud& cloud, const Camera& left, const Picture& mask,
                        const Regions& regions, const DensityOptions& options = {});
+
+/// "cloud_area_cm2": DensityMap::area_cm2.
+Figures density_figures(const DensityMap& map);
 
 /// The left picture with its cells: blue where there are enough points, orange where they are missing
 /// (darker: none at all). Three channels.

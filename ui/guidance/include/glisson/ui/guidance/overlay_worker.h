@@ -13,7 +13,6 @@
 #include <optional>
 #include <thread>
 
-#include "glisson/engine/parts/proposals.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
@@ -35,12 +34,11 @@ struct OverlayJob {
   std::optional<std::chrono::steady_clock::time_point> taken;
   scene::OverlayStyle style;
   scene::OverlayInterest interest;
-  double frames_per_second = 0.0;    ///< of the live view, to be shown
-  bool model_unchecked = false;      ///< nobody has said that the model is right
-  engine::LandmarkReview landmarks;  ///< how far their review has come
+  /// What the picture says of the case, and how fast the live view goes. Its age, and whether it stands, are
+  /// known when it is drawn.
+  scene::OverlayStatus status;
   /// Editions of model and calibration that it is drawn with (engine::Stamp).
   std::uint64_t model_revision = 0, rig_revision = 0;
-  bool refused = false;       ///< its registration: the picture says why it shows no overlay
   bool is_live = false;       ///< of now; else the picture says that it is not
   double source_rate = 30.0;  ///< frames a second of the video, for the recording
   QSize screen;               ///< wanted of PaintedOverlay::screen; empty: none

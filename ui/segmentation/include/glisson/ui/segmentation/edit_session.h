@@ -36,11 +36,14 @@ class EditSession : public QObject {
 
   /// Labels that have voxels, ascending.
   const std::vector<Label>& present() const { return present_; }
+  /// Why the tool cannot be used now.
   EditObstacle obstacle() const;
+  /// The same for people; empty: it can.
+  QString why_not() const;
 
-  /// Of the case; null: there is none.
   /// Whether intensities are Hounsfield units: of a CT, and while there is no image.
   bool shows_hounsfield() const;
+  /// Of the case; null: there is none.
   const std::shared_ptr<const editing::History>& history() const { return engine_.state()[part::history]; }
   /// Neither while a new segmentation waits for a decision: a step would let it go.
   bool can_undo() const;

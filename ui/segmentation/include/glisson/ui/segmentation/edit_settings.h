@@ -49,9 +49,9 @@ struct Cut {
 /// Why a tool cannot be used now.
 enum class EditObstacle {
   none,
-  no_volume,
-  replaced,  ///< other labels are on their way
-  offered,   ///< a new segmentation waits for a decision, which an edit would let go
+  case_first,  ///< something of the case is not there: EditSession::why_not() says what
+  replaced,    ///< other labels are on their way
+  offered,     ///< a new segmentation waits for a decision, which an edit would let go
   label_locked,
   label_empty,
   other_empty,

@@ -12,6 +12,7 @@ QString tool_text(EditTool tool);
 QString tool_hint(EditTool tool, const EditSettings& settings);
 /// What a click would do: WindowTool::foretells. @param ml the volume that changes. Empty: it says nothing.
 QString foretold_text(EditTool tool, const editing::Tool& click, const QString& ml);
+/// Empty: none, or one that the engine names.
 QString obstacle_text(EditObstacle obstacle);
 QString review_text(ReviewState state);
 /// A step of the history: "Paint, 10 mm, Portal vein" (the brush's diameter).

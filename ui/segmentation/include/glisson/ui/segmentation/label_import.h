@@ -11,7 +11,8 @@
 namespace glisson::ui {
 
 /// Imports labels that were made elsewhere. Where the file does not say which of them is the liver, or says
-/// numbers only, the person is asked first: what is guessed wrong makes a vein of a tumour.
+/// numbers only, the person is asked first: what is guessed wrong makes a vein of a tumour. So is, whether a
+/// liver that lies left of the vena cava was operated on.
 class LabelImport : public QObject {
   Q_OBJECT
  public:
@@ -30,7 +31,9 @@ class LabelImport : public QObject {
   static Cancellable<FoundLabels> look(const std::filesystem::path& path, const RunContext& context);
   void accept(const std::filesystem::path& path, const FoundLabels& found);
   void ask(const std::filesystem::path& path, const FoundLabels& found);
-  void post(const std::filesystem::path& path, const LabelCodes& codes);
+  /// @param codes what the person said; empty: the file's own word counts.
+  void import_as(const std::filesystem::path& path, const FoundLabels& found, const LabelCodes& codes);
+  void post(const std::filesystem::path& path, const LabelCodes& codes, LeftLiver left_liver);
 
   EngineBridge& engine_;
   QWidget* owner_;

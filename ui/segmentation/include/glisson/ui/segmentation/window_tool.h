@@ -98,8 +98,9 @@ PageField check_box(const char* object, const char* text, bool Owner::*which) {
   return field;
 }
 
-/// The range of a length whose unit and largest value are those of a tool's field in scripts.
-/// @throws PreconditionError there is no such tool or field, or its field is unlimited.
+/// A range that ends where scripts end it. Unit and largest value are those of `field` of the editor's tool
+/// `tool`.
+/// @throws PreconditionError there is no such tool or field, or the field has no largest value.
 PageField::Range range_of(std::string_view tool, std::string_view field, double low, double step,
                           int decimals);
 

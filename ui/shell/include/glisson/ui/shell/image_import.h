@@ -36,7 +36,6 @@ class ImageImport : public QObject {
   void read(const std::string& series);
   void ask_modality();
   void ask(const std::vector<DicomSeries>& series);
-  bool is_case_open() const;
 
   EngineBridge& engine_;
   QWidget* window_;
