@@ -122,8 +122,8 @@ struct PartSpec {
   std::function<bool(const CaseState&)> is_refused = {};
   /// What to do then, for errors.
   std::string_view refused_remedy = {};
-  /// What goes on from while this part is there, and would not learn of a change: only commands that write
-  /// this part, too, may write these.
+  /// Parts that it goes on from without learning of their changes: while it is there, only commands that
+  /// write it as well may write these.
   std::vector<Part> follows = {};
   /// Changes with every frame of the live view: no reason to draw the case anew.
   bool is_live = false;
@@ -132,8 +132,7 @@ struct PartSpec {
   bool stands_alone = false;
   /// Of no use to others: nothing becomes stale by it.
   bool is_input = true;
-  /// Parts that it is made of, and no longer counts as made from once a command has changed it instead of
-  /// making it anew.
+  /// Inputs that it no longer counts as made from once a command has changed it instead of making it anew.
   std::vector<Part> changed_frees_from = {};
 };
 
