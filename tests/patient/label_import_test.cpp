@@ -184,11 +184,13 @@ void LabelImportTest::APieceTakesOverHowFarAPersonHadCome() {
   for (int i = 0; i < 20; ++i) theirs.set({i, 3, 3}, 1);
   for (const int i : {2, 18}) theirs.set({i, 3, 3}, 2);
   LabelInfo tumours{2, "Tumor", structure_terminology(structure::kFirstLesion)};
+  LabelInfo liver{1, "Leber", structure_terminology(structure::kParenchyma)};
+  liver.status = "flagged";
   tumours.status = "completed";
-  write_labels(at("theirs.seg.nrrd"), theirs,
-               {{1, "Leber", structure_terminology(structure::kParenchyma)}, tumours});
+  write_labels(at("theirs.seg.nrrd"), theirs, {liver, tumours});
   const auto made = import_labels(at("theirs.seg.nrrd"), {}, LeftLiver::refused, {}, RunContext());
-  QVERIFY((made->review == Review{{structure::kFirstLesion, ReviewState::approved},
+  QVERIFY((made->review == Review{{structure::kParenchyma, ReviewState::to_review},
+                                  {structure::kFirstLesion, ReviewState::approved},
                                   {structure::kFirstLesion + 1, ReviewState::approved}}));
 }
 

@@ -202,13 +202,13 @@ void GuidancePanelTest::WhatIsOutOfDateOrRefusedShowsNoRegions() {
   QVERIFY(words_on(*organ).contains(QStringLiteral("Refused")));
   // So does the picture, which shows no overlay.
   const auto drawn = [this] { return panel().live().on_screen().made_from; };
-  QTRY_VERIFY(drawn() && drawn()->refused);
+  QTRY_VERIFY(drawn() && drawn()->status.refused);
   QVERIFY(drawn()->overlay.level() == Level::withdrawn);
 
   post(engine::AcceptRegistration{});  // a person has looked at it
   QTRY_COMPARE(actors(), with_region);
   QVERIFY(tells_errors() && scale->isVisible());
-  QTRY_VERIFY(!drawn()->refused);
+  QTRY_VERIFY(!drawn()->status.refused);
 }
 
 void GuidancePanelTest::ErrorGoesWithItsCause() {
