@@ -1,5 +1,6 @@
-# glisson_module(NAME fem SOURCES ... [PUBLIC ...] [PRIVATE ...] [NO_PCH])
-#   a static library glisson::fem with include root modules/fem/include.
+# glisson_module(NAME fem SOURCES ... [PUBLIC ...] [PRIVATE ...] [READS ...] [NO_PCH])
+#   a static library glisson::fem with include root modules/fem/include. READS names the sources that parse what others
+#   wrote.
 # glisson_ui(NAME shell ... [NO_WIDGETS]) the same under ui/, with moc.
 # glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [COMPUTES])
 #   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
@@ -8,9 +9,9 @@
 #   because it works on millions of voxels, pixels or points itself: of others half the compiler's time would go into
 #   code that runs once.
 
-# Rooms that read what others wrote. With GLISSON_FUZZ libFuzzer is told of each branch in them, and only in them: what
-# computes keeps its pace, and all tests can run in the same build. (-fsanitize=fuzzer-no-link says the same, but Clang
-# takes no precompiled header then that was compiled without it.)
+# Rooms that parse what others wrote in most of their sources; of the others READS says in which. With GLISSON_FUZZ
+# libFuzzer is told of each branch there, and only there: what computes keeps its pace, and all tests can run in the same
+# build. (-fsanitize=fuzzer-no-link says the same, but Clang takes no precompiled header then that was compiled without.)
 set(GLISSON_FUZZED_ROOMS core geometry network engine)
 set(GLISSON_FUZZED -fsanitize-coverage=inline-8bit-counters,pc-table,indirect-calls,trace-cmp)
 
@@ -22,7 +23,7 @@ function(_glisson_reuse_pch target owner)
 endfunction()
 
 function(_glisson_library prefix pch)
-  cmake_parse_arguments(ARG "NO_PCH;NO_WIDGETS" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "NO_PCH;NO_WIDGETS" "NAME" "SOURCES;PUBLIC;PRIVATE;READS" ${ARGN})
   set(target glisson_${prefix}${ARG_NAME})
   list(TRANSFORM ARG_SOURCES PREPEND "src/" REGEX "^[^/]+$")
   add_library(${target} STATIC ${ARG_SOURCES})
@@ -31,6 +32,9 @@ function(_glisson_library prefix pch)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${ARG_PUBLIC} PRIVATE glisson_flags ${ARG_PRIVATE})
   if(GLISSON_FUZZ AND ARG_NAME IN_LIST GLISSON_FUZZED_ROOMS)
     target_compile_options(${target} PRIVATE ${GLISSON_FUZZED})
+  elseif(GLISSON_FUZZ AND ARG_READS)
+    list(TRANSFORM ARG_READS PREPEND "src/")
+    set_property(SOURCE ${ARG_READS} APPEND PROPERTY COMPILE_OPTIONS ${GLISSON_FUZZED})
   endif()
   if(NOT ARG_NO_PCH)
     _glisson_reuse_pch(${target} ${pch})

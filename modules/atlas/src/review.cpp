@@ -135,19 +135,19 @@ double deviation_of(const Proposal& proposal, Eigen::Index k) {
 
 }  // namespace
 
-Proposal reviewed(const Proposal& proposal, Decision decision, const Points& moved) {
+Proposal reviewed(const Proposal& proposal, Decision decision, const PointsIn<CtFrame>& moved) {
   Proposal after = proposal;
   if (decision == Decision::moved) move(after, moved);
   after.decision = decision;
   return after;
 }
 
-Points landmark_left_by(const Proposal& proposal) {
+PointsIn<CtFrame> landmark_left_by(const Proposal& proposal) {
   const bool is_used = proposal.decision == Decision::accepted || proposal.decision == Decision::moved;
   return is_used ? landmark_points(proposal) : Points(0, 3);
 }
 
-Eigen::VectorXd landmark_deviations(const Proposal& proposal, const Points& landmark) {
+Eigen::VectorXd landmark_deviations(const Proposal& proposal, const PointsIn<CtFrame>& landmark) {
   constexpr double kSame = 1e-9;
   Eigen::VectorXd deviations = Eigen::VectorXd::Zero(landmark.rows());
   for (Eigen::Index k = 0; k < landmark.rows(); ++k) {

@@ -15,16 +15,16 @@ namespace glisson::atlas {
 /// @param moved read where `decision` is moved (CT frame, metres): M x 3, as many points as the proposal has;
 ///   for areas the points of the contact.
 /// @throws InputError another number of points; fewer than 3 of a contact.
-Proposal reviewed(const Proposal& proposal, Decision decision, const Points& moved);
+Proposal reviewed(const Proposal& proposal, Decision decision, const PointsIn<CtFrame>& moved);
 
 /// What a review leaves as the landmark of a proposal's structure, by what was decided: points in the CT's
 /// frame, metres; none where it is not accepted, or shows too little.
-Points landmark_left_by(const Proposal& proposal);
+PointsIn<CtFrame> landmark_left_by(const Proposal& proposal);
 
 /// Of each point of a landmark its standard deviation across its course (of a single point: in any
 /// direction), metres. 0 where a person has placed it or the image shows it, and for points that are not the
 /// proposal's.
 /// @param landmark M x 3, CT frame, metres. @return M numbers.
-Eigen::VectorXd landmark_deviations(const Proposal& proposal, const Points& landmark);
+Eigen::VectorXd landmark_deviations(const Proposal& proposal, const PointsIn<CtFrame>& landmark);
 
 }  // namespace glisson::atlas
