@@ -104,7 +104,8 @@ void LoadTrialTest::ThePullIsNoStrongerThanItsLimit() {
   options.pull_limit = 0.05;
   const auto trial = trial_of(model, options);
   TrialState state;
-  for (int i = 0; i < 100; ++i) state = trial->step(lift(*model, 0.1));
+  const TrialPull pull = lift(*model, 0.1);
+  for (int i = 0; i < 100; ++i) state = trial->step(pull);
   QVERIFY(!state.termination);
   QVERIFY(std::abs(state.force.norm() - 0.05) < 1e-9);
 }
@@ -112,7 +113,8 @@ void LoadTrialTest::ThePullIsNoStrongerThanItsLimit() {
 void LoadTrialTest::AReleasedOrganReturnsToRest() {
   const auto model = block();
   const auto trial = trial_of(model);
-  for (int i = 0; i < 60; ++i) trial->step(lift(*model, 0.005));
+  const TrialPull pull = lift(*model, 0.005);
+  for (int i = 0; i < 60; ++i) trial->step(pull);
   TrialState state = trial->step({});
   QVERIFY(state.nodes.rows() > 0);
   for (int i = 0; i < 1500 && state.nodes.rows() > 0; ++i) state = trial->step({});

@@ -19,8 +19,7 @@ constexpr double kCarried = 0.6;
 constexpr double kSpacing = 0.004;     // metres, of the cava's points, as the model has them
 constexpr Eigen::Index kLeastRun = 5;  // points of a margin
 constexpr double kCertain = 0.012;     // metres, deviation up to which statistics alone say where it runs
-constexpr double kBridged =
-    0.045;  // metres of a margin's course that may be statistics between what is shown
+constexpr double kBridged = 0.045;     // metres of a margin between what is shown that may be statistics
 
 /// Points of an area, none closer to another than kSpacing.
 Points thinned(const Points& area) {

@@ -3,12 +3,13 @@
 
 namespace glisson {
 
-LabelSides::LabelSides(const LabelVolume& labels) : grid_(labels.grid()), sums_(labels.histogram().size()) {
+LabelSides::LabelSides(const LabelVolume& labels) : grid_(labels.grid()) {
   const std::vector<Label> dense = labels.dense();
   std::size_t at = 0;
   for (int k = 0; k < grid_.size.z(); ++k)
     for (int j = 0; j < grid_.size.y(); ++j)
       for (int i = 0; i < grid_.size.x(); ++i, ++at) {
+        if (dense[at] >= sums_.size()) sums_.resize(std::size_t{dense[at]} + 1);
         Sum& sum = sums_[dense[at]];
         sum.indices += Eigen::Vector3d(i, j, k);
         ++sum.count;
