@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include "complaint.h"
@@ -58,6 +59,7 @@ class HistoryTest : public QObject {
   void TenThousandRandomOperationsAgreeWithPlainCopies();
   void AGestureIsOneStep();
   void AStepThatChangesNothingIsNone();
+  void AStepMayChangeWhatIsSaidOfALabelAlone();
   void MemoryStaysWithinTheBudgetAndTheNewestStepIsKept();
   void StepsHoldOnlyWhatTheyChanged();
   void ComesBackFromDisk();
@@ -139,6 +141,24 @@ void HistoryTest::AStepThatChangesNothingIsNone() {
   same.voxels.set({1, 1, 1}, 3);
   same.voxels.set({1, 1, 1}, 0);
   QVERIFY(!History().with(kPaint, labels, same).can_undo());
+}
+
+/// As a file of labels that is imported again, in which another program has marked one as completed.
+void HistoryTest::AStepMayChangeWhatIsSaidOfALabelAlone() {
+  LabelMap before = blank({40, 40, 40});
+  before.infos = {structure_info(structure::kParenchyma)};
+  const std::vector<std::function<void(LabelInfo&)>> changes = {
+      [](LabelInfo& info) { info.name = "liver"; }, [](LabelInfo& info) { info.terminology = "SCT~liver"; },
+      [](LabelInfo& info) { info.colour[1] = 0.25; }, [](LabelInfo& info) { info.status = "completed"; }};
+  for (const auto& change : changes) {
+    LabelMap after = before;
+    change(after.infos.front());
+    const History history = History().with(kPaint, before, after);
+    QVERIFY(history.can_undo());
+    const LabelInfo back = history.undo(after).first.infos.front();
+    QVERIFY(back.name == before.infos.front().name && back.terminology.empty() && back.status.empty());
+    QVERIFY(back.colour == before.infos.front().colour);
+  }
 }
 
 void HistoryTest::MemoryStaysWithinTheBudgetAndTheNewestStepIsKept() {

@@ -32,7 +32,8 @@ LabelChanges joined(const LabelChanges& first, const LabelChanges& second) {
 }
 
 bool same_info(const LabelInfo& a, const LabelInfo& b) {
-  return a.code == b.code && a.name == b.name && a.terminology == b.terminology && a.colour == b.colour;
+  return a.code == b.code && a.name == b.name && a.terminology == b.terminology && a.colour == b.colour &&
+         a.status == b.status;
 }
 
 }  // namespace
