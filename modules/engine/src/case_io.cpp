@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/case_io.h"
 
-#include <fcntl.h>
-#include <linux/fs.h>
-#include <stdio.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -17,6 +11,7 @@
 #include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/folder_exchange.h"
 #include "glisson/core/json_file.h"
 #include "glisson/engine/case_lock.h"
 #include "glisson/engine/saved_image.h"
@@ -28,6 +23,7 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* kFormat = "glisson-case";
+constexpr const char* kCaseFile = "case.json";
 
 /// Whether a part goes to the disk as it stands in this state.
 bool is_kept(const CaseState& state, Part part) {
@@ -129,41 +125,11 @@ void flush_tree(const fs::path& folder) {
   flush_to_disk(folder);
 }
 
-fs::path former_name(const fs::path& path) {
-  return path.parent_path() / ("." + path.filename().string() + ".former");
-}
-
-/// What a save that was killed has left beside a whole case: a copy of the patient that nobody looks at.
-void drop_former(const fs::path& path) {
-  std::error_code ignored;
-  if (holds_case(path) && holds_case(former_name(path))) fs::remove_all(former_name(path), ignored);
-}
-
-/// Puts `fresh` where `path` is, in one step as seen from outside.
-void exchange(const fs::path& fresh, const fs::path& path) {
-  std::error_code failure;
-  if (!fs::exists(path)) {
-    fs::rename(fresh, path, failure);
-  } else if (::syscall(SYS_renameat2, AT_FDCWD, fresh.c_str(), AT_FDCWD, path.c_str(), RENAME_EXCHANGE) ==
-             0) {
-    fs::remove_all(fresh, failure);  // the old case, now under the temporary name
-    failure.clear();
-  } else {
-    // A file system without exchange: between the two renames the case stands under its former name, where
-    // open_case looks too.
-    drop_former(path);
-    fs::rename(path, former_name(path), failure);
-    if (!failure) fs::rename(fresh, path, failure);
-    if (!failure) fs::remove_all(former_name(path), failure);
-  }
-  if (failure) throw FileError(path.string() + ": could not be replaced (" + failure.message() + ").");
-}
-
 }  // namespace
 
 bool holds_case(const fs::path& folder) {
   std::error_code ignored;
-  return fs::exists(folder / "case.json", ignored);
+  return fs::exists(folder / kCaseFile, ignored);
 }
 
 bool is_case(const fs::path& path) {
@@ -176,7 +142,7 @@ std::string edition_on_disk(const fs::path& folder) {
   if (!holds_case(folder)) return {};
   // FNV-1a, 64 bits: case.json lists every file with its sum.
   std::uint64_t sum = 14695981039346656037ULL;
-  for (const char byte : read_file(folder / "case.json"))
+  for (const char byte : read_file(folder / kCaseFile))
     sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
   return std::to_string(sum);
 }
@@ -187,8 +153,8 @@ std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
     for (const std::string& file : carry_over(path, fresh))
       notes.push_back("case.kept_changed " + (path / file).string());
   flush_tree(fresh);
-  exchange(fresh, path);
-  drop_former(path);
+  exchange_folders(fresh, path, kCaseFile);
+  drop_former(path, kCaseFile);
   flush_to_disk(path.parent_path());
   return notes;
 }
@@ -212,7 +178,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   auto document = write_parts({fresh, path, context, nullptr}, state, taken_over);
   if (!document) return false;
   (*document)["files"] = list_files(fresh);
-  write_json(fresh / "case.json", *document);
+  write_json(fresh / kCaseFile, *document);
   verify(fresh, path, state, taken_over, context.part(0.85, 0.97));
   flush_tree(fresh);  // takes long; what follows cannot be taken back
   if (context.cancelled()) return false;
@@ -246,11 +212,11 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
   if (!fs::exists(path) && holds_case(former_name(path))) path = former_name(path);
   if (!fs::exists(path)) throw FileError(given.string() + ": does not exist. Check the path.");
   if (!holds_case(path))
-    throw InputError(given.string(), "case.json", "is missing: this folder is not a case",
+    throw InputError(given.string(), kCaseFile, "is missing: this folder is not a case",
                      "Choose a folder NAME.glisson");
   require_own_files(path);
-  const json document = read_json(path / "case.json");
-  const std::string file = (path / "case.json").string();
+  const json document = read_json(path / kCaseFile);
+  const std::string file = (path / kCaseFile).string();
   try {
     if (document.at("format") != kFormat)
       throw InputError(file, "format", "is not a Glisson case", "Choose a folder NAME.glisson");

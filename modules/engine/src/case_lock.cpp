@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/core/output_file.h"
+#include "glisson/core/folder_exchange.h"
 #include "glisson/core/printable.h"
 #include "glisson/core/time_text.h"
 
@@ -109,14 +109,7 @@ std::string CaseOwner::told() const {
                    200);
 }
 
-fs::path case_place(const fs::path& path) {
-  fs::path place = fs::absolute(path).lexically_normal();
-  if (!place.has_filename()) place = place.parent_path();
-  place = end_of_links(place);
-  std::error_code ignored;
-  const fs::path folder = fs::canonical(place.parent_path(), ignored);
-  return ignored ? place : folder / place.filename();
-}
+fs::path case_place(const fs::path& path) { return place_for_folder(path); }
 
 fs::path lock_file_of(const fs::path& folder) {
   return folder.parent_path() / ("." + folder.filename().string() + ".lock");
