@@ -64,9 +64,7 @@ void build_of(const Arguments& arguments, Session& session, const fs::path& out)
 }
 
 void build_atlas(const Arguments& arguments, Session& session) {
-  OutputFolder folder(arguments.required_path("out"));
-  build_of(arguments, session, folder.path());
-  folder.commit();
+  build_of(arguments, session, arguments.required_path("out"));
 }
 
 void evaluate_atlas(const Arguments& arguments, Session& session) { build_of(arguments, session, {}); }

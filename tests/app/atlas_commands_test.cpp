@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas on the command line: show, transfer, and what is refused.
+#include <sys/stat.h>
+
 #include <QJsonObject>
 #include <QTest>
+#include <filesystem>
 
 #include "glisson/geometry/mesh_io.h"
 #include "program.h"
@@ -53,11 +56,18 @@ class AtlasCommandsTest : public QObject, private test::Program {
 
   /// What is built is an atlas; what is evaluated is foretold by the others, and nothing is kept of it.
   void anAtlasIsBuiltAndEvaluated() {
+    const auto source = qEnvironmentVariable("GLISSON_SOURCE_DIR").toStdString();
+    std::filesystem::copy(source + "/resources/atlas", at("own"));
+    struct stat former = {}, standing = {};
+    QCOMPARE(::stat(at("own").c_str(), &former), 0);
     const QStringList livers = {"--synthetic", "5", "--seed", "31"};
     const Ran built =
         run(QStringList{"atlas", "build", "--out", "own", "--name", "mine", "--json", "b.json"} + livers);
     QVERIFY2(built.code == 0, qPrintable(built.error));
     QVERIFY(std::filesystem::exists(at("own/atlas.json")) && std::filesystem::exists(at("own/mean.vtp")));
+    // The atlas that was there gave way whole: another folder stands in its place.
+    QCOMPARE(::stat(at("own").c_str(), &standing), 0);
+    QVERIFY(standing.st_ino != former.st_ino);
     const Ran shown = run({"atlas", "show", "--atlas", "own", "--json", "s.json"});
     QCOMPARE(shown.code, 0);
     QVERIFY(shown.out.contains("mine"));
@@ -113,6 +123,10 @@ class AtlasCommandsTest : public QObject, private test::Program {
     refused({"atlas", "show", "--atlas", "nowhere"}, "nowhere");
     refused({"atlas", "build", "--out", "a"}, "5 livers");
     refused({"atlas", "build"}, "--out", 2);
+    std::filesystem::create_directory(at("letters"));
+    test::write_text(at("letters/letter.txt"), "x");
+    refused({"atlas", "build", "--out", "letters"}, "something else than an atlas");
+    refused({"atlas", "build", "--out", "letters/letter.txt/a"}, "cannot be written to");
     refused({"atlas", "build", "none.glisson", "--out", "a"}, "none.glisson");
     refused({"atlas", "evaluate", "."}, "cases");
     refused({"atlas", "transfer", "--case", "a.glisson", "--accept", "navel"}, "navel", 2);

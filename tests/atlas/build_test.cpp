@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <Eigen/LU>
 #include <QTest>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "glisson/atlas/transfer.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/folder_exchange.h"
 #include "known_livers.h"
 
 using namespace glisson;
@@ -92,6 +96,44 @@ class BuildTest : public QObject {
       QCOMPARE(a.members, b.members);
       QCOMPARE(a.share.size(), b.share.size());
     }
+  }
+
+  /// Another folder stands there afterwards, whole: no file of the former atlas was touched before.
+  void anAtlasGivesWayInOneStep() {
+    const TemporaryFolder folder;
+    const fs::path own = folder.path() / "own", link = folder.path() / "link";
+    replace_atlas(own, test::built_in());
+    write_file_atomically(own / "notes.txt", "a person's");
+    fs::create_directories(own / "figures/empty");
+    fs::create_symlink("notes.txt", own / "figures/link");
+    fs::permissions(own, fs::perms::owner_all);
+    fs::create_directory_symlink("own", link);
+    struct stat former = {}, standing = {};
+    QCOMPARE(::stat(own.c_str(), &former), 0);
+    replace_atlas(link / "", result_.atlas);
+    QCOMPARE(::stat(own.c_str(), &standing), 0);
+    QVERIFY(standing.st_ino != former.st_ino && standing.st_mode == former.st_mode);
+    QCOMPARE(read_atlas(own).members.size(), result_.atlas.members.size());
+    QCOMPARE(read_file(own / "notes.txt"), std::string("a person's"));
+    QVERIFY(fs::is_directory(own / "figures/empty") && fs::is_symlink(own / "figures/link"));
+    QVERIFY(fs::is_symlink(link));
+    // And nothing is left beside it.
+    QCOMPARE(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()),
+             std::ptrdiff_t{2});
+  }
+
+  /// As a kill leaves it where the file system cannot exchange.
+  void anAtlasUnderItsFormerNameIsFound() {
+    const TemporaryFolder folder;
+    const fs::path own = folder.path() / "own";
+    replace_atlas(own, test::built_in());
+    write_file_atomically(own / "notes.txt", "a person's");
+    fs::rename(own, former_name(own));
+    QCOMPARE(read_atlas(own).members.size(), test::built_in().members.size());
+    replace_atlas(own, result_.atlas);
+    QCOMPARE(read_atlas(own).members.size(), result_.atlas.members.size());
+    QCOMPARE(read_file(own / "notes.txt"), std::string("a person's"));
+    QVERIFY(!fs::exists(former_name(own)));
   }
 
   void aDamagedFolderIsRefusedByName() {

@@ -151,6 +151,9 @@ class BuildAtlasTest : public QObject {
             std::string::npos);
     QVERIFY(complaint_of({.cases = {paths_[0], paths_[1]}, .base = base_}).find("5 livers") !=
             std::string::npos);
+    // Said before the livers are looked at.
+    QVERIFY(complaint_of({.cases = {paths_[0]}, .base = base_, .out = other / "letter.txt/own"})
+                .find("cannot be written to") != std::string::npos);
     QVERIFY_THROWS_EXCEPTION(PreconditionError,
                              (BuildAtlas{.cases = paths_}.apply(CaseState(), RunContext())));
   }

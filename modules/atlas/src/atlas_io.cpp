@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "glisson/atlas/atlas.h"
+#include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/folder_exchange.h"
 #include "glisson/core/json_file.h"
 #include "glisson/geometry/mesh_io.h"
 
@@ -16,6 +20,7 @@ using nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr const char* kFormat = "glisson-atlas";
+constexpr const char *kSheetFile = "atlas.json", *kMeanFile = "mean.vtp";
 constexpr double kMm = 1e3;
 
 std::string mode_name(Eigen::Index k) { return "mode_" + std::to_string(k + 1); }
@@ -175,11 +180,35 @@ void take_modes(Atlas& atlas, const TriangleFile& file, const std::string& name,
     }
 }
 
+/// Where the atlas of a folder stands: under its former name where an exchange was killed on a file system
+/// that cannot do it in one step.
+fs::path standing(const fs::path& folder) {
+  std::error_code ignored;
+  if (folder.empty() || fs::exists(folder, ignored)) return folder;
+  const fs::path former = former_name(place_for_folder(folder));
+  return fs::exists(former / kSheetFile, ignored) ? former : folder;
+}
+
+/// What else lies in an atlas' folder stays: files by a second name for the same content where there can be
+/// one, so that nothing is lost in a kill.
+void carry_over(const fs::path& former, const fs::path& fresh) {
+  constexpr auto kAll = fs::copy_options::recursive | fs::copy_options::copy_symlinks;
+  for (const fs::directory_entry& entry : fs::directory_iterator(former)) {
+    const fs::path name = entry.path().filename();
+    if (name == kSheetFile || name == kMeanFile) continue;
+    std::error_code failure;
+    fs::copy(entry.path(), fresh / name, kAll | fs::copy_options::create_hard_links, failure);
+    if (!failure) continue;
+    fs::remove_all(fresh / name);
+    fs::copy(entry.path(), fresh / name, kAll);
+  }
+}
+
 }  // namespace
 
 void write_atlas(const fs::path& folder, const Atlas& atlas) {
   fs::create_directories(folder);
-  write_triangle_mesh(folder / "mean.vtp", surface_of(atlas), LengthUnit::millimetre);
+  write_triangle_mesh(folder / kMeanFile, surface_of(atlas), LengthUnit::millimetre);
   json members = json::array(), structures = json::array(), variances = json::array();
   for (const AtlasMember& one : atlas.members)
     members.push_back({{"name", one.name},
@@ -189,22 +218,39 @@ void write_atlas(const fs::path& folder, const Atlas& atlas) {
                        {"mean_distance_mm", kMm * one.mean_distance}});
   for (const StructureStatistics& one : atlas.structures) structures.push_back(sheet_of(one));
   for (const double variance : atlas.shape.variances) variances.push_back(kMm * kMm * variance);
-  write_json(folder / "atlas.json", {{"format", kFormat},
-                                     {"version", kVersion},
-                                     {"name", atlas.name},
-                                     {"vertices", atlas.shape.mean.rows()},
-                                     {"triangles", atlas.triangles.rows()},
-                                     {"variances_mm2", variances},
-                                     {"total_variance_mm2", kMm * kMm * atlas.shape.total_variance},
-                                     {"usual", atlas.usual},
-                                     {"log_size", atlas.log_size},
-                                     {"log_size_deviation", atlas.log_size_deviation},
-                                     {"members", members},
-                                     {"structures", structures}});
+  write_json(folder / kSheetFile, {{"format", kFormat},
+                                   {"version", kVersion},
+                                   {"name", atlas.name},
+                                   {"vertices", atlas.shape.mean.rows()},
+                                   {"triangles", atlas.triangles.rows()},
+                                   {"variances_mm2", variances},
+                                   {"total_variance_mm2", kMm * kMm * atlas.shape.total_variance},
+                                   {"usual", atlas.usual},
+                                   {"log_size", atlas.log_size},
+                                   {"log_size_deviation", atlas.log_size_deviation},
+                                   {"members", members},
+                                   {"structures", structures}});
 }
 
-Atlas read_atlas(const fs::path& folder) {
-  const fs::path path = folder / "atlas.json";
+void replace_atlas(const fs::path& folder, const Atlas& atlas) {
+  const fs::path place = place_for_folder(folder), around = place.parent_path();
+  fs::create_directories(around);
+  sweep_leftovers(around);
+  const TemporaryFolder beside(around);
+  const fs::path fresh = beside.path() / place.filename();
+  write_atlas(fresh, atlas);
+  if (const fs::path former = standing(place); fs::exists(former)) {
+    carry_over(former, fresh);
+    fs::permissions(fresh, fs::status(former).permissions());
+  }
+  flush_to_disk(fresh);
+  exchange_folders(fresh, place, kSheetFile);
+  drop_former(place, kSheetFile);
+  flush_to_disk(around);
+}
+
+Atlas read_atlas(const fs::path& given) {
+  const fs::path folder = standing(given), path = folder / kSheetFile;
   const json document = read_json(path);
   const Sheet sheet(document, path.string());
   if (sheet.text("format") != kFormat) sheet.fail("format", "is not that of an atlas");
@@ -231,7 +277,7 @@ Atlas read_atlas(const fs::path& folder) {
     atlas.shape.variances[static_cast<Eigen::Index>(k)] = variances[k].get<double>() / (kMm * kMm);
   }
   atlas.shape.total_variance = sheet.number("total_variance_mm2") / (kMm * kMm);
-  const fs::path surface = folder / "mean.vtp";
+  const fs::path surface = folder / kMeanFile;
   const TriangleFile file = read_triangle_file(surface, LengthUnit::millimetre);
   if (static_cast<double>(file.mesh.vertex_count()) != sheet.number("vertices") ||
       static_cast<double>(file.mesh.triangle_count()) != sheet.number("triangles"))

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/build_atlas.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "atlas_member.h"
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
+#include "glisson/core/folder_exchange.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/review.h"
 
@@ -73,20 +76,14 @@ Cancellable<std::vector<atlas::Member>> livers_of(const BuildAtlas& command, con
 
 /// Before the work, so that minutes of it are not lost.
 void check_folder(const fs::path& out) {
-  if (out.empty() || !fs::exists(out)) return;
+  if (out.empty()) return;
+  fs::path around = place_for_folder(out).parent_path();
+  while (!fs::exists(around)) around = around.parent_path();
+  if (!fs::is_directory(around) || ::access(around.c_str(), W_OK) != 0)
+    throw FileError(out.string() + ": its folder cannot be written to. Choose another folder.");
+  if (!fs::exists(out)) return;
   if (!fs::is_directory(out) || (!fs::is_empty(out) && !fs::exists(out / "atlas.json")))
     throw InputError(out.string(), "folder", "holds something else than an atlas", "Name a new folder");
-}
-
-/// In place of an atlas that is there: both files come from one that is whole.
-void keep(const atlas::Atlas& built, const fs::path& out) {
-  const fs::path around = fs::absolute(out).parent_path();
-  fs::create_directories(around);
-  const TemporaryFolder beside(around);
-  atlas::write_atlas(beside.path(), built);
-  fs::create_directories(out);
-  for (const char* name : {"mean.vtp", "atlas.json"}) fs::rename(beside.path() / name, out / name);
-  flush_to_disk(out);
 }
 
 /// @param[out] notes also of the livers that were left out.
@@ -109,7 +106,7 @@ Cancellable<Applied> BuildAtlas::apply(const CaseState& state, const RunContext&
   Applied applied{state};
   auto built = built_of(*this, context, applied.notes);
   if (!built) return {};
-  if (!out.empty()) keep(built->atlas, out);
+  if (!out.empty()) atlas::replace_atlas(out, built->atlas);
   applied.figures = atlas::figures_of(*built);
   applied.result = std::make_shared<const Result>(std::move(*built));
   return applied;

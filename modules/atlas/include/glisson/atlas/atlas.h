@@ -147,8 +147,14 @@ Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, c
 Atlas bare_atlas(const TriangleMesh& mean);
 
 /// A folder with atlas.json and mean.vtp (millimetres), each written whole or not at all, one after the
-/// other: what replaces an atlas is written beside it first. @throws FileError.
+/// other: for a new folder; see replace_atlas(). @throws FileError.
 void write_atlas(const std::filesystem::path& folder, const Atlas& atlas);
+/// Writes an atlas beside the folder and exchanges the two in one step: killed at any moment it leaves the
+/// former atlas or the new one, whole, and beside it at most a hidden folder that the next one removes. Where
+/// the file system cannot exchange, a kill between two renames leaves the former one as .NAME.former, where
+/// read_atlas() finds it. Other files in the folder stay, and a link to it stays one; folders around it are
+/// made. @throws FileError.
+void replace_atlas(const std::filesystem::path& folder, const Atlas& atlas);
 /// @throws FileError missing; InputError malformed, of another version, or of files that do not belong
 /// together.
 Atlas read_atlas(const std::filesystem::path& folder);

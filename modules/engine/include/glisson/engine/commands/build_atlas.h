@@ -17,7 +17,8 @@ struct BuildAtlas {
   std::vector<std::filesystem::path> cases = {};
   std::shared_ptr<const atlas::Atlas> base = nullptr;  ///< see atlas::build
   atlas::BuildOptions options = {};
-  /// Folder for the atlas; one that is there is replaced. Empty: nothing is written.
+  /// Folder for the atlas; one that is there is replaced in one step (see atlas::replace_atlas): after a kill
+  /// there is the former atlas or the new one, whole. Empty: nothing is written.
   std::filesystem::path out = {};
   std::vector<atlas::Member> members = {};  ///< livers beside the cases
   /// Cases in which nobody has approved what the atlas reads (liver, vena cava, gallbladder, portal vein) are
@@ -28,7 +29,8 @@ struct BuildAtlas {
   CommandTraits traits() const;
   /// @pre a base
   /// @throws InputError a folder without a case, a case without a model, two of one name, fewer than five
-  ///   livers, `out` is a folder of something else; FileError.
+  ///   livers, `out` is a folder of something else; FileError, also where `out` cannot be written, which is
+  ///   found before the work.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 
