@@ -77,6 +77,21 @@ class CompositeTest : public QObject {
     QVERIFY2(derivative_error(*model, y) < 2e-6, qPrintable(QString::number(derivative_error(*model, y))));
   }
 
+  /// 65552 is a lesion's 16 in sixteen bits, and so is -65520.
+  void NumbersThatAreNoLabelsAreParenchyma() {
+    const TetMesh plain = block_mesh({2, 2, 2}, {0.02, 0.02, 0.02});
+    CompositeOptions options;
+    options.with_capsule = false;
+    options.by_label[structure::kFirstLesion] = {20e3, 0.4};
+    const auto energy = [&](int label) {
+      TetMesh mesh = plain;
+      if (label != 0) mesh.labels.assign(static_cast<std::size_t>(mesh.tetrahedron_count()), label);
+      return CompositeModel(mesh, {}, options).energy(bent(mesh.vertices));
+    };
+    QVERIFY(energy(structure::kFirstLesion) > 2.0 * energy(0));
+    for (const int label : {1, 65535, 65552, -65520}) QCOMPARE(energy(label), energy(0));
+  }
+
   void RigidMotionLeavesNoForce() {
     for (const TetrahedronLaw law : {TetrahedronLaw::corotational, TetrahedronLaw::neo_hookean}) {
       CompositeOptions options;

@@ -22,6 +22,7 @@ class TissueTest : public QObject {
   void SlipsAreNamed();
   void LesionsGetWhatIsSaidOfThem();
   void NothingSaidLeavesTheMaterials();
+  void NumbersThatAreNoLabelsAreNoLesion();
   void WhatIsSaidLaterHolds();
   void LesionsThatAreNotThereAreNamed();
 };
@@ -122,6 +123,14 @@ void TissueTest::NothingSaidLeavesTheMaterials() {
   QVERIFY(with_tissue({}, {}, model.mesh).by_label.empty());
   QVERIFY(with_tissue({}, tissue_from("lesion_1=as_liver"), model.mesh).by_label.empty());
   QCOMPARE(stiffness_over_parenchyma(model.mesh, {}), (std::vector<double>{1.0, 1.0}));
+}
+
+/// 65552 is 16 in sixteen bits.
+void TissueTest::NumbersThatAreNoLabelsAreNoLesion() {
+  const PatientModel model = of_two(65552, kFirst);
+  const CompositeOptions materials = with_tissue({}, tissue_from("lesion_1=35"), model.mesh);
+  QCOMPARE(stiffness_over_parenchyma(model.mesh, materials), (std::vector<double>{1.0, 10.0}));
+  QVERIFY(with_tissue({}, tissue_from("lesion_1=35"), of_two(65552, 1).mesh).by_label.empty());
 }
 
 void TissueTest::WhatIsSaidLaterHolds() {

@@ -84,6 +84,9 @@ void QualityTest::LesionsAreMeasuredBothWays() {
   QVERIFY(std::abs(lesions[0].mesh_volume - tetrahedron_volumes(model.mesh)[1]) < 1e-12);
   QVERIFY(std::abs(lesions[0].diameter - 0.02) < 0.0003);
   QCOMPARE(lesions[1].mesh_volume, 0.0);
+  // 65552 is 16 in sixteen bits.
+  model.mesh.labels[0] = 65552;
+  QCOMPARE(model::lesion_volumes(model)[0].mesh_volume, lesions[0].mesh_volume);
   QVERIFY(std::abs(lesions[1].volume / (4.0 / 3.0 * std::numbers::pi * std::pow(0.005, 3)) - 1.0) < 0.03);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "composite_impl.h"
 #include "glisson/core/error.h"
@@ -42,12 +43,9 @@ std::vector<Tetrahedron> build_tetrahedra(const TetMesh& mesh, const CompositeOp
       nodes[k] = mesh.tetrahedra(t, k);
       rest.col(k) = mesh.vertex(nodes[k]);
     }
-    const Material* material = &options.parenchyma;
-    if (!mesh.labels.empty()) {
-      const auto found = options.by_label.find(static_cast<Label>(mesh.labels[static_cast<std::size_t>(t)]));
-      if (found != options.by_label.end()) material = &found->second;
-    }
-    elements.emplace_back(nodes, rest, *material);
+    elements.emplace_back(
+        nodes, rest,
+        mesh.labels.empty() ? options.parenchyma : options.of(mesh.labels[static_cast<std::size_t>(t)]));
   }
   return elements;
 }
@@ -88,6 +86,11 @@ void CompositeOptions::validate() const {
   check_range(density, 1.0, 1e5, "density", "kg/m3");
   check_range(rayleigh_mass, 0.0, 1e4, "rayleigh_mass", "1/s");
   check_range(rayleigh_stiffness, 0.0, 1e4, "rayleigh_stiffness", "s");
+}
+
+const Material& CompositeOptions::of(int label) const {
+  const auto found = std::in_range<Label>(label) ? by_label.find(static_cast<Label>(label)) : by_label.end();
+  return found == by_label.end() ? parenchyma : found->second;
 }
 
 CompositeModel::CompositeModel(const TetMesh& mesh, const std::vector<VesselTree>& vessels,

@@ -78,7 +78,7 @@ void check(double modulus, const std::string& name) {
 std::set<Label> lesions_of(const TetMesh& mesh) {
   std::set<Label> lesions;
   for (const int label : mesh.labels)
-    if (is_lesion(static_cast<Label>(label))) lesions.insert(static_cast<Label>(label));
+    if (is_lesion(label)) lesions.insert(static_cast<Label>(label));
   return lesions;
 }
 
@@ -224,12 +224,8 @@ CompositeOptions with_tissue(CompositeOptions materials, const Tissue& tissue, c
 std::vector<double> stiffness_over_parenchyma(const TetMesh& mesh, const CompositeOptions& materials) {
   std::vector<double> stiffness;
   stiffness.reserve(mesh.labels.size());
-  for (const int label : mesh.labels) {
-    const auto found = materials.by_label.find(static_cast<Label>(label));
-    stiffness.push_back(found == materials.by_label.end()
-                            ? 1.0
-                            : found->second.young_modulus / materials.parenchyma.young_modulus);
-  }
+  for (const int label : mesh.labels)
+    stiffness.push_back(materials.of(label).young_modulus / materials.parenchyma.young_modulus);
   return stiffness;
 }
 

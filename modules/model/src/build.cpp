@@ -165,9 +165,7 @@ void take_labels(TetMesh& mesh, std::vector<std::string>& notes) {
   constexpr std::size_t kNamed = 12;
   const std::set<int> codes(mesh.labels.begin(), mesh.labels.end());
   const auto meant = [&codes](int code) {
-    const bool is_lesions =
-        codes.size() > 1 && code >= structure::kFirstLesion && code <= structure::kLastLesion;
-    return is_lesions ? static_cast<Label>(code) : structure::kParenchyma;
+    return codes.size() > 1 && is_lesion(code) ? static_cast<Label>(code) : structure::kParenchyma;
   };
   std::string told;
   std::size_t count = 0;

@@ -83,8 +83,9 @@ std::vector<LesionVolume> lesion_volumes(const PatientModel& model) {
     if (is_lesion(surface.structure)) lesions[surface.structure].volume += std::abs(volume(surface.mesh));
   const Eigen::VectorXd volumes = tetrahedron_volumes(model.mesh);
   for (std::size_t t = 0; t < model.mesh.labels.size(); ++t) {
-    const auto label = static_cast<Label>(model.mesh.labels[t]);
-    if (is_lesion(label)) lesions[label].mesh_volume += volumes[static_cast<Eigen::Index>(t)];
+    const int code = model.mesh.labels[t];
+    if (is_lesion(code))
+      lesions[static_cast<Label>(code)].mesh_volume += volumes[static_cast<Eigen::Index>(t)];
   }
   std::vector<LesionVolume> result;
   for (auto& [label, lesion] : lesions) {

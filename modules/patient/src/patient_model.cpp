@@ -88,7 +88,7 @@ std::vector<std::pair<Label, Eigen::Vector3d>> lesion_centres(const PatientModel
   const Eigen::VectorXd volumes = tetrahedron_volumes(model.mesh);
   for (std::size_t t = 0; t < model.mesh.labels.size(); ++t) {
     const int code = model.mesh.labels[t];
-    if (code < structure::kFirstLesion || code > structure::kLastLesion) continue;
+    if (!is_lesion(code)) continue;
     const auto label = static_cast<Label>(code);
     auto& [sum, total] = sums.try_emplace(label, Eigen::Vector3d::Zero(), 0.0).first->second;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();

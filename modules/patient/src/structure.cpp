@@ -3,7 +3,7 @@
 
 namespace glisson {
 
-bool is_lesion(Label label) { return label >= structure::kFirstLesion && label <= structure::kLastLesion; }
+bool is_lesion(int label) { return label >= structure::kFirstLesion && label <= structure::kLastLesion; }
 
 bool is_other(Label label) { return label >= structure::kFirstOther && label <= structure::kLastOther; }
 

@@ -237,7 +237,7 @@ std::vector<Label> inner_structures(const PatientModel& model) {
   for (const VesselTree& tree : model.vessels)
     if (inner(tree.structure)) found.insert(tree.structure);
   for (const int label : model.mesh.labels)
-    if (is_lesion(static_cast<Label>(label))) found.insert(static_cast<Label>(label));
+    if (is_lesion(label)) found.insert(static_cast<Label>(label));
   return {found.begin(), found.end()};
 }
 

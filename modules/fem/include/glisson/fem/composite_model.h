@@ -39,6 +39,8 @@ struct CompositeOptions {
   bool with_vessels = true, with_capsule = true;
   TetrahedronLaw law = TetrahedronLaw::corotational;
 
+  /// The material of a sub-domain. @param label of the mesh, which need not be one of 16 bits.
+  const Material& of(int label) const;
   /// @throws InputError naming the option.
   void validate() const;
 };

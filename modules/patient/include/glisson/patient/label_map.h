@@ -32,8 +32,8 @@ inline constexpr Label kFirstLesion = 16;
 inline constexpr Label kLastLesion = 255;
 }  // namespace structure
 
-/// kFirstLesion to kLastLesion.
-bool is_lesion(Label label);
+/// kFirstLesion to kLastLesion. @param label also a number of a mesh, which need not be one of 16 bits.
+bool is_lesion(int label);
 /// kFirstOther to kLastOther.
 bool is_other(Label label);
 /// Parenchyma, or a lesion.
