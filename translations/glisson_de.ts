@@ -656,6 +656,10 @@
         <translation>enthält kein DICOM-Bild</translation>
     </message>
     <message>
+        <source>is an archive, not a file of labels</source>
+        <translation>ist ein Archiv, keine Datei mit Labels</translation>
+    </message>
+    <message>
         <source>is no folder of DICOM slices</source>
         <translation>ist kein Ordner mit DICOM-Schichten</translation>
     </message>
@@ -1962,6 +1966,14 @@
     <message>
         <source>Unpack it yourself and name the folder</source>
         <translation>Entpacken Sie es selbst und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>Unpack it yourself and name the file of labels in it</source>
+        <translation>Entpacken Sie es selbst und nennen Sie die Datei mit den Labels darin</translation>
+    </message>
+    <message>
+        <source>Give labels as .seg.nrrd, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti or a DICOM segmentation</source>
+        <translation>Geben Sie die Labels als .seg.nrrd, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti oder als DICOM-Segmentierung an</translation>
     </message>
     <message>
         <source>Unpack them yourself and name the folder</source>

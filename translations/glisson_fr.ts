@@ -656,6 +656,10 @@
         <translation>ne contient aucune image DICOM</translation>
     </message>
     <message>
+        <source>is an archive, not a file of labels</source>
+        <translation>est une archive, pas un fichier d’étiquettes</translation>
+    </message>
+    <message>
         <source>is no folder of DICOM slices</source>
         <translation>n’est pas un dossier de coupes DICOM</translation>
     </message>
@@ -1962,6 +1966,14 @@
     <message>
         <source>Unpack it yourself and name the folder</source>
         <translation>Décompressez-la vous-même et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>Unpack it yourself and name the file of labels in it</source>
+        <translation>Décompressez-la vous-même et nommez le fichier d’étiquettes qu’elle contient</translation>
+    </message>
+    <message>
+        <source>Give labels as .seg.nrrd, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti or a DICOM segmentation</source>
+        <translation>Donnez les étiquettes en .seg.nrrd, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti ou en segmentation DICOM</translation>
     </message>
     <message>
         <source>Unpack them yourself and name the folder</source>

@@ -15,14 +15,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The sentence with which a file is refused, or "" when it is not.
-QString refusal_of(const fs::path& path) {
+template <class Read>
+QString refusal_by(const Read& read) {
   try {
-    (void)read_image(path, RunContext());
+    read();
   } catch (const Error& error) {
     return QString::fromStdString(error.what());
   }
   return "";
+}
+/// The sentence with which a file is refused, or "" when it is not.
+QString refusal_of(const fs::path& path) {
+  return refusal_by([&] { (void)read_image(path, RunContext()); });
+}
+QString refusal_of_labels(const fs::path& path) {
+  return refusal_by([&] { (void)read_labels(path); });
 }
 
 void put_text(const fs::path& path, const std::string& text) { write_file_atomically(path, text); }
@@ -58,6 +65,7 @@ class RefusalTest : public QObject {
  private slots:
   void MissingFilesAndEmptyFolders();
   void FilesOfAnotherKind();
+  void FilesThatAreNoLabels();
   void GeometryThatIsNoPatients_data();
   void GeometryThatIsNoPatients();
   void NiftiWithoutOneOrientation();
@@ -101,6 +109,22 @@ void RefusalTest::FilesOfAnotherKind() {
     put_text(folder.path() / name, "this is no volume at all, whatever its name says");
     QVERIFY2(!refusal_of(folder.path() / name).isEmpty(), name);
   }
+}
+
+/// What to do is another thing with labels: no archive of them is read, and no folder of slices.
+void RefusalTest::FilesThatAreNoLabels() {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.zip", "A.ZIP", "a.tar", "a.tar.gz", "a.tgz"}) {
+    put_text(folder.path() / name, "whatever it holds");
+    const QString refusal = refusal_of_labels(folder.path() / name);
+    QVERIFY2(refusal.contains("is an archive") && refusal.contains("name the file of labels in it"),
+             qPrintable(refusal));
+  }
+  put_text(folder.path() / "a.txt", "text");
+  const QString refusal = refusal_of_labels(folder.path() / "a.txt");
+  QVERIFY2(refusal.contains("extension") && refusal.contains(".seg.nrrd") && !refusal.contains(".zip"),
+           qPrintable(refusal));
+  QVERIFY(refusal_of(folder.path() / "a.txt").contains(".zip"));
 }
 
 void RefusalTest::GeometryThatIsNoPatients_data() {

@@ -22,6 +22,10 @@ Format format_of(const Request& request) {
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return Format::nifti;
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return Format::nrrd;
   if (name.ends_with(".mha") || name.ends_with(".mhd")) return Format::meta;
+  if (request.labels)
+    throw InputError(
+        request.name, "", "has an extension that is not known",
+        "Give labels as .seg.nrrd, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti or a DICOM segmentation");
   throw InputError(
       request.name, "", "has an extension that is not known",
       "Give a folder of DICOM slices, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti");

@@ -74,7 +74,7 @@ void confine_to(const Request& request, const fs::path& folder) {
   confine(readable, {folder});
 }
 
-RawVolume read_any(const Request& request, bool labels) {
+RawVolume read_any(const Request& request) {
   if (fs::is_directory(request.path)) return reader::read_dicom_folder(request);
   if (!is_file(request.path))
     throw InputError(request.name, "", "is neither a file nor a folder", "Name a volume");
@@ -82,7 +82,7 @@ RawVolume read_any(const Request& request, bool labels) {
     throw InputError(request.name, "series", "cannot be chosen in a file that holds one volume",
                      "Leave the series out, or name the folder that holds the DICOM slices");
   const std::string extension = lower_extension(request.path);
-  if (labels && (has_dicom_mark(request.path) || extension == ".dcm"))
+  if (request.labels && (has_dicom_mark(request.path) || extension == ".dcm"))
     return reader::read_dicom_segmentation(request);
   if (extension == ".vti") return reader::read_vti_file(request);
   if (extension == ".dcm" || extension == ".ima") {
@@ -157,13 +157,13 @@ void write_json_file(const fs::path& path, const nlohmann::json& document) {
   if (!stream) throw FileError(path.string() + ": could not be written. Free space for temporary files.");
 }
 
-void deliver(const Request& request, bool labels, const fs::path& folder, const RawVolume& raw) {
-  if (raw.components != 1 && !(labels && raw.layers))
+void deliver(const Request& request, const fs::path& folder, const RawVolume& raw) {
+  if (raw.components != 1 && !(request.labels && raw.layers))
     throw InputError(request.name, "voxels",
                      "hold " + std::to_string(raw.components) + " values each (a colour or vector image)",
                      "Export a volume with one value a voxel");
   std::string modality = raw.modality;
-  if (labels) {
+  if (request.labels) {
     write_raw(folder / "voxels.raw",
               whole_numbers<std::uint16_t>(request, raw.voxels, 0.0F, 65535.0F, "label (0 to 65535)", false));
   } else {
@@ -257,7 +257,7 @@ int main(int count, char** words) {
     std::printf("%.3f\n", fraction);
     std::fflush(stdout);
   };
-  const Request request{words[2], words[4], folder, tell, count == 6 ? words[5] : ""};
+  const Request request{words[2], words[4], folder, tell, count == 6 ? words[5] : "", mode == "labels"};
   limit_resources(request);
   confine_to(request, folder);
   try {
@@ -272,7 +272,7 @@ int main(int count, char** words) {
     else if (mode == "picture")
       make_picture(request, folder);
     else
-      deliver(request, mode == "labels", folder, read_any(request, mode == "labels"));
+      deliver(request, folder, read_any(request));
     return 0;
   } catch (const InputError& error) {
     return refuse(folder, error);

@@ -35,7 +35,8 @@ struct Request {
   std::string name;
   std::filesystem::path scratch;  ///< a folder of our own
   std::function<void(double)> progress;
-  std::string series;  ///< of a DICOM folder: UID or number; empty: the only one
+  std::string series;   ///< of a DICOM folder: UID or number; empty: the only one
+  bool labels = false;  ///< labels are to be read, not an image
 };
 
 /// @throws InputError, FileError, or whatever the libraries throw (they may also abort).

@@ -293,6 +293,9 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
 
 DicomLabels read_labels_of(const fs::path& path) {
   require_exists(path);
+  if (is_archive(path))
+    throw InputError(path.string(), "", "is an archive, not a file of labels",
+                     "Unpack it yourself and name the file of labels in it");
   const TemporaryFolder work;
   run_reader("labels", path, path.string(), work.path(), "", RunContext());
   const Delivered delivered = delivered_in(work.path());

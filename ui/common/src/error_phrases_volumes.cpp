@@ -10,6 +10,7 @@ const std::vector<const char*>& volume_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "are no regular stack: %1 lies %2 mm from its place"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds no slice"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is an archive, not a file of labels"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "are shifted against each other across their normal"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "claims more pixels than a segmentation can mean"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "differ in orientation or pixel spacing"),
@@ -74,6 +75,10 @@ const std::vector<const char*>& volume_problems() {
 const std::vector<const char*>& volume_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose another series"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Unpack it yourself and name the file of labels in it"),
+      QT_TRANSLATE_NOOP(
+          "ErrorPhrases",
+          "Give labels as .seg.nrrd, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti or a DICOM segmentation"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Export it as a binary DICOM segmentation"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Export it without compression (Explicit VR Little Endian)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Export the segmentation again"),
