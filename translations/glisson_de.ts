@@ -620,6 +620,10 @@
         <translation>ist ein leerer Ordner</translation>
     </message>
     <message>
+        <source>holds no file: %1 is a pipe, a socket, a device or a link to no file</source>
+        <translation>enthält keine Datei: %1 ist eine Pipe, ein Socket, ein Gerät oder ein Verweis auf keine Datei</translation>
+    </message>
+    <message>
         <source>stands twice</source>
         <translation>steht zweimal da</translation>
     </message>

@@ -620,6 +620,10 @@
         <translation>est un dossier vide</translation>
     </message>
     <message>
+        <source>holds no file: %1 is a pipe, a socket, a device or a link to no file</source>
+        <translation>ne contient aucun fichier : %1 est un tube, un socket, un périphérique ou un lien vers aucun fichier</translation>
+    </message>
+    <message>
         <source>stands twice</source>
         <translation>figure deux fois</translation>
     </message>

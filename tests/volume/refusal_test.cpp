@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <QTest>
 #include <cstring>
 #include <fstream>
@@ -87,6 +89,15 @@ void RefusalTest::MissingFilesAndEmptyFolders() {
   QVERIFY_THROWS_EXCEPTION(FileError, read_image(folder.path() / "absent.nrrd", RunContext()));
   QVERIFY_THROWS_EXCEPTION(FileError, read_labels(folder.path() / "absent.nrrd"));
   QVERIFY(refusal_of(folder.path()).contains("is an empty folder"));
+  // What is in it is no file, wherever.
+  fs::create_directory(folder.path() / "disc");
+  QVERIFY(refusal_of(folder.path()).contains("is an empty folder"));
+  fs::create_symlink("nowhere", folder.path() / "slices");
+  QVERIFY2(refusal_of(folder.path()).contains("holds no file: slices is a pipe"),
+           qPrintable(refusal_of(folder.path())));
+  QCOMPARE(::mkfifo((folder.path() / "disc/camera").c_str(), 0600), 0);
+  QVERIFY2(refusal_of(folder.path()).contains("holds no file: disc/camera is a pipe"),
+           qPrintable(refusal_of(folder.path())));
   put_text(folder.path() / "notes.txt", "no picture");
   QVERIFY(refusal_of(folder.path()).contains("holds no DICOM image"));
 }

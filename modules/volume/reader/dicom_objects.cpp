@@ -72,19 +72,33 @@ std::optional<DicomObject> find_object(const Request& request, const fs::path& p
   return found;
 }
 
+/// Neither a file nor a folder: nothing that is read.
+bool is_neither(const fs::directory_entry& entry) {
+  std::error_code broken;
+  return entry.is_symlink(broken) || !entry.is_directory(broken);
+}
+
 std::vector<fs::path> files_below(const Request& request) {
-  std::vector<fs::path> files;
+  std::vector<fs::path> files, others;
   std::error_code failure;
   fs::recursive_directory_iterator entry(request.path, fs::directory_options::skip_permission_denied,
                                          failure);
   for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
     std::error_code broken;  // a link to nowhere, or round in a circle
-    if (entry->is_regular_file(broken)) files.push_back(entry->path());
+    if (entry->is_regular_file(broken))
+      files.push_back(entry->path());
+    else if (is_neither(*entry))
+      others.push_back(entry->path().lexically_relative(request.path));
   }
   if (failure)
     throw FileError(request.name + ": cannot be searched (" + failure.message() +
                     "). Check its permissions, or copy it to a disk of this computer.");
   std::sort(files.begin(), files.end());
+  if (files.empty() && !others.empty()) {
+    const std::string first = std::min_element(others.begin(), others.end())->string();
+    refuse(request, "", "holds no file: " + first + " is a pipe, a socket, a device or a link to no file",
+           "Name the folder that holds the DICOM slices");
+  }
   if (files.empty()) refuse(request, "", "is an empty folder", "Name the folder that holds the DICOM slices");
   raise_limits(total_bytes(files), 0.0);
   return files;

@@ -10,6 +10,8 @@ const std::vector<const char*>& volume_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "are no regular stack: %1 lies %2 mm from its place"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds no slice"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "holds no file: %1 is a pipe, a socket, a device or a link to no file"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is an archive, not a file of labels"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "are shifted against each other across their normal"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "claims more pixels than a segmentation can mean"),

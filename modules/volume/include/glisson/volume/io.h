@@ -18,9 +18,9 @@ namespace glisson {
 /// The result is right for every axis flip and permutation: grid.direction carries it.
 /// @param series which of several series below a DICOM folder (or in an archive): its UID, or its number.
 ///   Empty: the only one.
-/// @throws FileError missing or unreadable; InputError empty folder, several series and none chosen (the
-///   sentence lists them), missing slice, gantry tilt, unit-less geometry, not a scalar volume. Parsers that
-///   can abort run in a child process.
+/// @throws FileError missing or unreadable; InputError empty folder (or one without a file), several series
+///   and none chosen (the sentence lists them), missing slice, gantry tilt, unit-less geometry, not a scalar
+///   volume. Parsers that can abort run in a child process.
 Cancellable<Image> read_image(const std::filesystem::path& path, const RunContext& context,
                               const std::string& series = {});
 
