@@ -62,6 +62,8 @@ class CameraTest : public QObject {
   void RayIsTheInverseOfProject();
   void DirectionsAreMappedWhileThePictureGrows();
   void AFoldedPlaceIsNotInThePicture();
+  void PixelsHaveTheRaysThatTheLensMaps();
+  void BeyondTheFoldAPixelGetsTheOutermostRay();
   void CentreOfTheFirstPixelIsTheOrigin();
   void BaselineIsTheTranslation();
   void InverseUndoes();
@@ -136,6 +138,55 @@ void CameraTest::AFoldedPlaceIsNotInThePicture() {
   QVERIFY(camera.shows({0.03, 0.0, 0.1}));
   QVERIFY(camera.maps({0.08, 0.0, 0.1}));
   QVERIFY(!camera.shows({0.08, 0.0, 0.1}));  // beside the picture
+}
+
+/// By the image of the widest slope: what lies farther out has no ray, what lies nearer has one.
+void CameraTest::PixelsHaveTheRaysThatTheLensMaps() {
+  std::mt19937 random(12);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  int with = 0, without = 0;
+  for (int n = 0; n < 200; ++n) {
+    Camera camera = laparoscope(false);
+    camera.matrix << 800, 0, 480, 0, 800, 270, 0, 0, 1;
+    const double k1 = 0.5 * normal(random), k2 = n % 3 > 0 ? 2.0 * normal(random) : 0.0,
+                 k3 = n % 3 > 1 ? 8.0 * normal(random) : 0.0;
+    camera.distortion << k1, k2, 0.0, 0.0, k3;
+    const double widest = camera.widest_slope();
+    const double reach = camera.project({widest, 0.0, 1.0}).x() - 480.0;
+    for (double u = 3; u < camera.width; u += 53)
+      for (double v = 2; v < camera.height; v += 47) {
+        const Eigen::Vector2d pixel(u, v), out = pixel - Eigen::Vector2d(480.0, 270.0);
+        if (std::abs(out.norm() - reach) < 0.1) continue;
+        const Eigen::Vector3d ray = camera.ray(pixel);
+        const auto mapped = camera.mapped_ray(pixel);
+        QVERIFY(ray.allFinite());
+        // Never through the axis to the other side.
+        QVERIFY(ray.head<2>().dot(out) > 0.999 * ray.head<2>().norm() * out.norm());
+        QCOMPARE(mapped.has_value(), out.norm() < reach);
+        if (mapped) {
+          QVERIFY(camera.maps(*mapped) && *mapped == ray);
+          QVERIFY((camera.project(ray) - pixel).norm() < 1e-4);
+          ++with;
+        } else {
+          QVERIFY(ray.head<2>().norm() > widest - 1e-9);
+          ++without;
+        }
+      }
+  }
+  QVERIFY(with > 10000 && without > 1000);
+}
+
+/// Newton's method alone came to the middle of the picture, to its other side, or to nothing there.
+void CameraTest::BeyondTheFoldAPixelGetsTheOutermostRay() {
+  Camera camera = laparoscope(false);
+  camera.matrix << 800, 0, 480, 0, 800, 270, 0, 0, 1;
+  camera.distortion << -2.4, 0.0, 0.0, 0.0, 0.0;  // turns back at 0.2485 focal lengths from the axis
+  QVERIFY(camera.mapped_ray({480.0 + 0.24 * 800.0, 270.0}));
+  for (const double out : {0.26, 0.275, 0.3, 0.35, 0.4, 0.575, 2.0}) {
+    const Eigen::Vector3d ray = camera.ray({480.0 + out * 800.0, 270.0});
+    QVERIFY2((ray - Eigen::Vector3d(camera.widest_slope(), 0.0, 1.0)).norm() < 1e-9, QByteArray::number(out));
+    QVERIFY(!camera.mapped_ray({480.0 + out * 800.0, 270.0}));
+  }
 }
 
 void CameraTest::CentreOfTheFirstPixelIsTheOrigin() {

@@ -19,6 +19,7 @@ class FollowerTest : public QObject {
   void TriangulationInvertsProjection();
   void InformationIsWeakAlongTheRay();
   void DivergingRaysAreRefused();
+  void APixelBeyondTheFoldIsNoPoint();
   void NewPointsLieOnTheTissue();
   void PointsFollowTheTissue();
   void AViewOfAnotherBrightnessIsFollowed();
@@ -91,6 +92,19 @@ void FollowerTest::InformationIsWeakAlongTheRay() {
 void FollowerTest::DivergingRaysAreRefused() {
   // The left ray to the left, the right ray to the right: they meet behind the cameras.
   QVERIFY(!triangulate(rig_, {20.0, 120.0}, {300.0, 120.0}).good);
+}
+
+/// Newton's method came from there to the middle of the picture, which the right view shows, too.
+void FollowerTest::APixelBeyondTheFoldIsNoPoint() {
+  StereoRig rig = rig_;
+  rig.left.distortion << -2.4, 0.0, 0.0, 0.0, 0.0;
+  const Eigen::Vector3d p(0.0, 0.0, 0.1);
+  const Eigen::Vector2d right =
+      rig.right.project(rig.right_from_left.rotation * p + rig.right_from_left.translation);
+  QVERIFY((triangulate(rig, rig.left.project(p), right).p - p).norm() < 1e-9);
+  const Eigen::Vector2d beyond = rig.left.project(p) + Eigen::Vector2d(0.275 * rig.left.matrix(0, 0), 0.0);
+  QVERIFY(rig.left.sees(beyond));
+  QVERIFY(!triangulate(rig, beyond, right).good);
 }
 
 void FollowerTest::NewPointsLieOnTheTissue() {

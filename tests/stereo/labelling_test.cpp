@@ -68,6 +68,21 @@ class LabellingTest : public QObject {
     for (const auto& p : line.pixels) QVERIFY(rig_.right.sees(p));
   }
 
+  /// Beyond where a lens turns back its pixels show nothing, and none of the other's is shown there.
+  void BeyondTheFoldThereIsNoEpipolarLine() {
+    StereoRig rig = rig_;
+    rig.left.distortion << -2.4, 0.0, 0.0, 0.0, 0.0;
+    const Eigen::Vector2d middle(rig.left.matrix(0, 2), rig.left.matrix(1, 2));
+    const Eigen::Vector2d out(0.275 * rig.left.matrix(0, 0), 0.0);
+    QVERIFY(!epipolar_line(rig, Side::left, middle).pixels.empty());
+    QVERIFY(rig.left.sees(middle + out));
+    QVERIFY(epipolar_line(rig, Side::left, middle + out).pixels.empty());
+    // Nearer than 0.11 m this ray is beyond what the left lens maps.
+    const EpipolarLine line = epipolar_line(rig, Side::right, {540.0, 240.0});
+    QVERIFY(line.depths.size() > 3 && line.depths.front() > 0.1);
+    for (const Eigen::Vector2d& pixel : line.pixels) QVERIFY(rig.left.mapped_ray(pixel));
+  }
+
   void PointsTakeTheFeatureOfTheRegionTheyAreSeenIn() {
     const LabelledCloud whole = plane_of_points(1e-3);
     Regions regions;

@@ -42,6 +42,40 @@ double least_growth(const Eigen::Matrix<double, 5, 1>& d, double u) {
 
 constexpr double kLeastGrowth = 0.2, kWidest = 4.0;
 
+/// By Newton's method from a start. Where the distortion turns back it comes to nothing, or to another place.
+Eigen::Vector2d undistorted(const Eigen::Matrix<double, 5, 1>& d, const Eigen::Vector2d& target,
+                            const Eigen::Vector2d& start) {
+  Eigen::Vector2d p = start;
+  for (int pass = 0; pass < 20; ++pass) {
+    Eigen::Matrix2d jacobian;
+    const Eigen::Vector2d miss = distort(d, p, &jacobian) - target;
+    if (miss.squaredNorm() < 1e-24) break;
+    p -= jacobian.inverse() * miss;
+  }
+  return p;
+}
+
+/// Whether a place is distorted to the target, and lies before the distortion turns back for the first time.
+bool is_first_at(const Eigen::Matrix<double, 5, 1>& d, const Eigen::Vector2d& p,
+                 const Eigen::Vector2d& target) {
+  constexpr double kSame = 1e-8;
+  return p.allFinite() && (distort(d, p, nullptr) - target).norm() < kSame &&
+         least_growth(d, p.squaredNorm()) > 0.0;
+}
+
+/// Towards the target, as far out as the radial terms alone put it, and at most `widest`.
+Eigen::Vector2d by_radial_terms(const Eigen::Matrix<double, 5, 1>& d, const Eigen::Vector2d& target,
+                                double widest) {
+  constexpr int kHalvings = 50;
+  double within = 0.0, beyond = widest;
+  for (int n = 0; n < kHalvings; ++n) {
+    const double slope = 0.5 * (within + beyond), u = slope * slope;
+    const double seen_at = slope * (1.0 + u * (d[0] + u * (d[1] + u * d[4])));
+    (seen_at < target.norm() ? within : beyond) = slope;
+  }
+  return beyond * target.normalized();
+}
+
 }  // namespace
 
 bool Camera::maps(const Eigen::Vector3d& p) const {
@@ -68,14 +102,20 @@ Eigen::Vector2d Camera::project(const Eigen::Vector3d& p_in_camera) const {
 Eigen::Vector3d Camera::ray(const Eigen::Vector2d& pixel) const {
   const double y = (pixel.y() - matrix(1, 2)) / matrix(1, 1);
   const Eigen::Vector2d target((pixel.x() - matrix(0, 2) - matrix(0, 1) * y) / matrix(0, 0), y);
-  Eigen::Vector2d p = target;
-  for (int pass = 0; pass < 20; ++pass) {
-    Eigen::Matrix2d jacobian;
-    const Eigen::Vector2d miss = distort(distortion, p, &jacobian) - target;
-    if (miss.squaredNorm() < 1e-24) break;
-    p -= jacobian.inverse() * miss;
+  Eigen::Vector2d p = undistorted(distortion, target, target);
+  if (!is_first_at(distortion, p, target)) {
+    const Eigen::Vector2d start = by_radial_terms(distortion, target, widest_slope());
+    p = undistorted(distortion, target, start);
+    if (!is_first_at(distortion, p, target)) p = start;
   }
   return {p.x(), p.y(), 1.0};
+}
+
+std::optional<Eigen::Vector3d> Camera::mapped_ray(const Eigen::Vector2d& pixel) const {
+  constexpr double kSame = 0.01;  // pixels
+  const Eigen::Vector3d found = ray(pixel);
+  if (!maps(found) || !((project(found) - pixel).norm() < kSame)) return std::nullopt;
+  return found;
 }
 
 }  // namespace glisson

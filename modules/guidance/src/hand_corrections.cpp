@@ -25,9 +25,11 @@ struct OneView {
   Eigen::Vector3d from_left(const Eigen::Vector3d& p) const {
     return right_from_left.rotation * p + right_from_left.translation;
   }
-  /// Unit.
-  Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const {
-    return (right_from_left.rotation.transpose() * camera.ray(pixel)).normalized();
+  /// Unit; empty where the lens maps nothing to the pixel.
+  std::optional<Eigen::Vector3d> sight(const Eigen::Vector2d& pixel) const {
+    const auto ray = camera.mapped_ray(pixel);
+    if (!ray) return std::nullopt;
+    return (right_from_left.rotation.transpose() * *ray).normalized();
   }
 
   const Camera& camera;
@@ -82,14 +84,14 @@ SightPull HandCorrections::pull_of(const Correction& correction, const Points& p
   if (!(in_view.z() > 0.0)) refuse("is behind the camera", "Correct what the picture shows");
   // The hand saw a picture that may be older than the last one: how far it dragged is what it said.
   const Eigen::Vector2d target = view.camera.project(in_view) + correction.to - correction.from;
-  if (!view.camera.maps(in_view) || !view.camera.sees(target))
+  const auto sight = view.sight(target);
+  if (!view.camera.maps(in_view) || !view.camera.sees(target) || !sight)
     refuse("would be outside of the picture", "Drag to where the picture shows it");
-  const Eigen::Vector3d sight = view.ray(target);
-  const Eigen::Vector3d way = view.eye + sight * sight.dot(place - view.eye) - place;
+  const Eigen::Vector3d way = view.eye + *sight * sight->dot(place - view.eye) - place;
   if (way.norm() > kFarthest) refuse("is more than 40 mm from where it is drawn", "Register again");
   const Eigen::Matrix3d back = fit_rigid_motion(present, shape_, {}).rotation;
   pull.target = pull.place(shape_) + back * way;
-  pull.sight = back * sight;
+  pull.sight = back * *sight;
   pull.sigma = correction.sigma_px * in_view.z() / view.camera.matrix(0, 0);
   return pull;
 }

@@ -37,7 +37,9 @@ class Shown {
   double reach() const { return kReach * camera_.width; }
 
   std::optional<PickedPlace> on_surface(const Eigen::Vector2d& pixel) const {
-    const ClosestPoint hit = tree_.first_hit(Eigen::Vector3d::Zero(), camera_.ray(pixel));
+    const auto ray = camera_.mapped_ray(pixel);
+    if (!ray) return std::nullopt;
+    const ClosestPoint hit = tree_.first_hit(Eigen::Vector3d::Zero(), *ray);
     if (hit.triangle < 0) return std::nullopt;
     PickedPlace place;
     place.pixel = pixel;

@@ -144,9 +144,10 @@ struct Relocator::Impl {
     const Features found = features(left);
     KeyFrame key;
     for (std::size_t i = 0; i < found.pixels.size(); ++i) {
-      const Eigen::Vector3d ray = rig.left.ray({found.pixels[i].x, found.pixels[i].y});
+      const auto ray = rig.left.mapped_ray({found.pixels[i].x, found.pixels[i].y});
+      if (!ray) continue;
       const ClosestPoint hit =
-          surface.first_hit(Eigen::Vector3d::Zero(), ray, 0.0, std::numeric_limits<double>::infinity());
+          surface.first_hit(Eigen::Vector3d::Zero(), *ray, 0.0, std::numeric_limits<double>::infinity());
       if (hit.triangle < 0) continue;
       key.places.push_back(hit);
       key.descriptors.push_back(found.descriptors.row(static_cast<int>(i)));

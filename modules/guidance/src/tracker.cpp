@@ -133,8 +133,9 @@ struct Tracker::Impl {
 
   void replenish() {
     const auto expected = [&](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector3d> {
-      if (!held_out->is_free(pixel)) return std::nullopt;
-      const ClosestPoint hit = body.surface().first_hit(Eigen::Vector3d::Zero(), camera.ray(pixel), 0.0,
+      const auto ray = camera.mapped_ray(pixel);
+      if (!ray || !held_out->is_free(pixel)) return std::nullopt;
+      const ClosestPoint hit = body.surface().first_hit(Eigen::Vector3d::Zero(), *ray, 0.0,
                                                         std::numeric_limits<double>::infinity());
       if (hit.triangle < 0) return std::nullopt;
       return hit.point;

@@ -8,8 +8,10 @@ namespace glisson::guidance {
 Triangulated triangulate(const StereoRig& rig, const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
   Triangulated result;
   const auto left_from_right = rig.right_from_left.inverse();
-  const Eigen::Vector3d a = rig.left.ray(left).normalized();
-  const Eigen::Vector3d b = (left_from_right.rotation * rig.right.ray(right)).normalized();
+  const auto left_ray = rig.left.mapped_ray(left), right_ray = rig.right.mapped_ray(right);
+  if (!left_ray || !right_ray) return result;
+  const Eigen::Vector3d a = left_ray->normalized();
+  const Eigen::Vector3d b = (left_from_right.rotation * *right_ray).normalized();
   const Eigen::Vector3d eye = left_from_right.translation;  // of the right camera
   const double cosine = a.dot(b), sine2 = 1.0 - cosine * cosine;
   if (!(sine2 > 1e-10)) return result;

@@ -11,7 +11,7 @@ namespace glisson::guidance {
 struct Triangulated {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< left camera's frame, metres
   double epipolar_px = 0.0;  ///< how far the two rays pass by each other, in pixels of the left camera
-  bool good = false;         ///< in front of both cameras, rays not parallel
+  bool good = false;         ///< in front of both cameras, whose lenses map it; rays not parallel
   /// Inverse covariance over that of a pixel's sideways error: 1 across the ray, less along it.
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
 };

@@ -61,7 +61,10 @@ double area_cm2(const LabelledCloud& whole, const std::vector<Seen>& places, con
       }
       if (best == places.size()) continue;
       const Eigen::Vector3d p = whole.points.row(static_cast<Eigen::Index>(best)).transpose();
-      if (!by_left && !feature_of(regions, seen(rig, p.z() * rig.left.ray(pixel)))) continue;
+      if (!by_left) {
+        const auto ray = rig.left.mapped_ray(pixel);
+        if (!ray || !feature_of(regions, seen(rig, p.z() * *ray))) continue;
+      }
       const Eigen::Vector3d n = whole.normals.row(static_cast<Eigen::Index>(best)).transpose();
       const double side = kCell * p.z();
       area += side * side / (rig.left.matrix(0, 0) * rig.left.matrix(1, 1)) /

@@ -66,15 +66,15 @@ cv::Mat band_in_right(const Pair& pair, const ReconstructOptions& options) {
   for (int y = 0; y < pair.left.rows; y += kStep)
     for (int x = 0; x < pair.left.cols; x += kStep) {
       if (pair.usable_left.at<std::uint8_t>(y, x) == 0) continue;
-      const Eigen::Vector3d ray = pair.rig.left.ray({x, y});
+      const auto ray = pair.rig.left.mapped_ray({x, y});
+      if (!ray) continue;
       for (int k = 0; k <= kDepths; ++k) {
         const double t = static_cast<double>(k) / kDepths;
         const double depth = 1.0 / ((1.0 - t) / options.far + t / options.near);
         const Eigen::Vector3d p =
-            (pair.rig.right_from_left * Point<CameraFrame>(Eigen::Vector3d(depth * ray))).xyz;
-        if (p.z() <= 0.0) continue;
+            (pair.rig.right_from_left * Point<CameraFrame>(Eigen::Vector3d(depth * *ray))).xyz;
+        if (!pair.rig.right.shows(p)) continue;
         const Eigen::Vector2d pixel = pair.rig.right.project(p);
-        if (!pair.rig.right.sees(pixel)) continue;
         cv::rectangle(band,
                       cv::Point(static_cast<int>(pixel.x()) - kRadius, static_cast<int>(pixel.y()) - kRadius),
                       cv::Point(static_cast<int>(pixel.x()) + kRadius, static_cast<int>(pixel.y()) + kRadius),

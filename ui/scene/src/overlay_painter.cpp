@@ -66,9 +66,11 @@ std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const
   if (overlay.level() == Level::withdrawn ||
       overlay.nodes_in_camera.rows() != model.model->mesh.vertex_count())
     return {};
+  const auto ray = camera.mapped_ray(pixel);
+  if (!ray) return {};
   guidance::LesionMeter meter = meter_of(model, false);
   meter.move(overlay.nodes_in_camera);
-  return meter.place_on(camera.ray(pixel));
+  return meter.place_on(*ray);
 }
 
 struct OverlayPainter::Impl {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "glisson/geometry/rigid.h"
@@ -31,8 +32,12 @@ struct Camera {
 
   /// Pixel of a point in the camera's frame (metres; only directions matter). @pre z > 0.
   Eigen::Vector2d project(const Eigen::Vector3d& p_in_camera) const;
-  /// The ray (x, y, 1) through a pixel, distortion removed by Newton's method.
+  /// The ray (x, y, 1) through a pixel, distortion removed by Newton's method. Beyond where the distortion
+  /// turns back a pixel has none: it gets the outermost one that maps() on its side, which is finite and is
+  /// projected elsewhere. Whoever may meet such a pixel asks mapped_ray(). @pre a finite pixel.
   Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const;
+  /// The same where the lens maps it (maps()) to the pixel; empty: nothing that the camera sees is there.
+  std::optional<Eigen::Vector3d> mapped_ray(const Eigen::Vector2d& pixel) const;
   /// Whether a pixel is within the borders. Of a point, ask shows().
   bool sees(const Eigen::Vector2d& pixel) const {
     return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < width - 0.5 && pixel.y() < height - 0.5;
