@@ -28,6 +28,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void initTestCase() { make_ct(); }
   void init() { show_window(); }
   void cleanup() { window_.reset(); }
+  void WithoutACtAToolSaysWhatToDoFirst();
   void LockedLabelIsNotTouched();
   void HiddenLabelLeavesTheViews();
   void LabelThatToolsWorkOnHasItsRow();
@@ -42,6 +43,17 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void EditPanelFitsItsColumnInEveryLanguage();
   void WholePathByHandIsSavedWithItsHistory();
 };
+
+void SegmentationPanelTest::WithoutACtAToolSaysWhatToDoFirst() {
+  session().set_tool(ui::edit_tool("paint"));
+  QCOMPARE(session().obstacle(), ui::EditObstacle::case_first);
+  QCOMPARE(session().why_not(), QStringLiteral("Open a CT first."));
+  QCOMPARE(find<QLabel>("edit_outcome")->text(), QStringLiteral("Open a CT first."));
+  open_labels();
+  session().set_tool(ui::edit_tool("paint"));
+  QCOMPARE(session().obstacle(), ui::EditObstacle::none);
+  QCOMPARE(find<QLabel>("edit_outcome")->text(), QString());
+}
 
 void SegmentationPanelTest::LockedLabelIsNotTouched() {
   open_labels();
