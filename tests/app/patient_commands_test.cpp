@@ -37,6 +37,7 @@ class PatientCommandsTest : public QObject, private test::Program {
   void AnOwnNetworkLabelsTheCt();
   void CorrectionsByHandAreReplacedOnlyWhenToldTo();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
+  void ANoteOfTwoStepsIsToldOnce();
   void AnotherImageTakesNoCaseUnasked();
   void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
@@ -229,6 +230,31 @@ void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {
   write_labels(at("labels.nrrd"), labels, {});
   refused({"model", "--case", "a.glisson", "--labels", "labels.nrrd"}, "labels.nrrd");
   QCOMPARE(read_file(at("a.glisson/case.json")), before);
+}
+
+/// The labels' import and the model's build both find the liver left of the vena cava.
+void PatientCommandsTest::ANoteOfTwoStepsIsToldOnce() {
+  VolumeGrid grid;
+  grid.size = {60, 50, 40};
+  grid.spacing_mm = {3.0, 3.0, 3.0};
+  grid.origin_mm = {-88.5, -73.5, -58.5};
+  LabelVolume labels(grid);
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 60; ++i) {
+        const Eigen::Vector3d mm = 1e3 * grid.p_in_ct(Eigen::Vector3d(i, j, k)).xyz;
+        if (mm.cwiseQuotient(Eigen::Vector3d(70.0, 55.0, 45.0)).norm() < 1.0)
+          labels.set({i, j, k}, structure::kParenchyma);
+        if (std::hypot(mm.x() + 60.0, mm.y() - 50.0) < 12.0) labels.set({i, j, k}, structure::kVenaCava);
+      }
+  write_labels(at("l.seg.nrrd"), labels,
+               {structure_info(structure::kParenchyma), structure_info(structure::kVenaCava)});
+  const QStringList model = {"model", "--labels", "l.seg.nrrd", "--vertices", "200", "--case", "a.glisson"};
+  refused(model, "--left-liver");
+  const Ran ran = run(model + QStringList{"--left-liver"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QCOMPARE(ran.out.count("note: The liver lies to the left of the vena cava"), qsizetype{1});
+  QVERIFY(read_file(at("a.glisson/case.json")).find("liver.perhaps_mirrored") != std::string::npos);
 }
 
 /// It may be another patient's: their labels and model would stay beside it.
