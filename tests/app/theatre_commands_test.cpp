@@ -38,6 +38,7 @@ class TheatreCommandsTest : public QObject, private test::Program {
   void AVideoThatEndsEarlyIsRecognised();
   void RegisterFindsAKnownDeformationAndKeepsTheNodeOrder();
   void ARefusedRegistrationWritesNothingUnlessItIsAccepted();
+  void AnotherPlaceIsTakenWhereAPersonSaysSo();
   void ASurfaceComesBackAsThatSurface();
   void TrackWritesOneMeshACloud();
   void ATruthThatCannotBeComparedTakesNothingAlong();
@@ -209,6 +210,39 @@ void TheatreCommandsTest::ARefusedRegistrationWritesNothingUnlessItIsAccepted() 
   const std::string written = read_file(at("refused.vtu"));
   QVERIFY(written.find("doubt_refusal_accepted") != std::string::npos);
   QVERIFY(written.find("doubt_cloud_noisy") != std::string::npos);
+}
+
+/// Turned by half a turn about an axis, the ball explains its own points as well.
+void TheatreCommandsTest::AnotherPlaceIsTakenWhereAPersonSaysSo() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  LabelledCloud cloud;
+  cloud.points =
+      sample_surface(boundary_surface(mesh).mesh, 900, 4).rowwise() + Eigen::RowVector3d(0, 0, 0.2);
+  write_cloud(at("c.ply"), cloud);
+  const QStringList command = {"register", "--model", "m.vtu", "--cloud", "c.ply", "--homogeneous"};
+  refused(command + QStringList{"--out", "r.vtu", "--rival", "0"}, "--rival 0", 2);
+  refused(command + QStringList{"--out", "r.vtu", "--rival", "9"}, "other places, not 9");
+  const QStringList accepted = command + QStringList{"--accept-doubts"};
+  const Ran first = run(accepted + QStringList{"--out", "first.vtu", "--json", "first.json"});
+  QVERIFY2(first.code == 0, qPrintable(first.error));
+  const QJsonObject told = figures("first.json");
+  QVERIFY(told["rivals"].toInt() > 0 && told["rival_1_away_mm"].toDouble() > 20.0);
+  const Ran other = run(accepted + QStringList{"--rival", "1", "--out", "other.vtu", "--json", "other.json"});
+  QVERIFY2(other.code == 0, qPrintable(other.error));
+  QVERIFY2(other.out.contains("A person has chosen this place") && !first.out.contains("A person has chosen"),
+           qPrintable(other.out));
+  // The mesh is where that place was said to be, and the first place is one of the others now.
+  const auto nodes = [this](const char* name) {
+    return read_tet_mesh(at(name), LengthUnit::millimetre, MeshShape::deformed).vertices;
+  };
+  const double away = 1e3 * point_errors(nodes("first.vtu"), nodes("other.vtu")).mean;
+  QVERIFY2(std::abs(away - told["rival_1_away_mm"].toDouble()) < 1e-3, qPrintable(QString::number(away)));
+  const QJsonObject then = figures("other.json");
+  bool is_other = false;
+  for (int k = 1; k <= then["rivals"].toInt(); ++k)
+    is_other = is_other || std::abs(then[QString("rival_%1_away_mm").arg(k)].toDouble() - away) < 1e-3;
+  QVERIFY(is_other);
 }
 
 void TheatreCommandsTest::ASurfaceComesBackAsThatSurface() {
