@@ -41,6 +41,7 @@ class KeepingCommandsTest : public QObject, private test::Program {
   void ReconstructNamesThePictures();
   void EachFrameOfATrackIsMarked();
   void ATrackThatIsCutShortKeepsWhatWasDone();
+  void ATerminalThatIsClosedCutsATrackShortToo();
 
  private:
   void make_case() {
@@ -65,6 +66,12 @@ class KeepingCommandsTest : public QObject, private test::Program {
     for (const QByteArray& line : QByteArray::fromStdString(read_file(at(name))).split('\n'))
       if (!line.isEmpty()) all.push_back(QJsonDocument::fromJson(line).object());
     return all;
+  }
+  /// Wherever it is made.
+  bool third_mesh_is_there() const {
+    for (const auto& entry : fs::recursive_directory_iterator(at(".")))
+      if (entry.path().filename() == "registered_002.vtu") return true;
+    return false;
   }
   const QStringList track_ = {"track",          "--model",       "m.vtu", "--start", "m.vtu",  "--clouds",
                               "cloud_%03d.ply", "--homogeneous", "--out", "tracked", "--json", "t.json"};
@@ -179,11 +186,7 @@ void KeepingCommandsTest::EachFrameOfATrackIsMarked() {
 
 void KeepingCommandsTest::ATrackThatIsCutShortKeepsWhatWasDone() {
   make_clouds(200, 400);
-  const Ran ran = interrupted_when(track_, [this] {
-    for (const auto& entry : fs::recursive_directory_iterator(at(".")))
-      if (entry.path().filename() == "registered_002.vtu") return true;
-    return false;
-  });
+  const Ran ran = interrupted_when(track_, [this] { return third_mesh_is_there(); });
   QCOMPARE(ran.code, 130);
   QVERIFY2(ran.error.contains("marked as incomplete"), qPrintable(ran.error));
   QVERIFY(fs::exists(at("tracked/INCOMPLETE")) && fs::exists(at("tracked/registered_002.vtu")));
@@ -210,6 +213,34 @@ void KeepingCommandsTest::ATrackThatIsCutShortKeepsWhatWasDone() {
   // So do meshes of frames that the new run has not got, and no others.
   QVERIFY(fs::exists(at("tracked/registered_001.vtu")) && !fs::exists(at("tracked/registered_002.vtu")));
   QCOMPARE(read_file(at("tracked/registered_900.vtu")), std::string("another's"));
+}
+
+/// But not where the person has said that it does not matter (nohup). The program inherits what is done here.
+void KeepingCommandsTest::ATerminalThatIsClosedCutsATrackShortToo() {
+  make_clouds(200, 400);
+  const auto hung_up = [this] {
+    return interrupted_when(
+        track_, [this] { return third_mesh_is_there(); }, SIGHUP);
+  };
+  const auto before = std::signal(SIGHUP, SIG_DFL);
+  const Ran closed = hung_up();
+  QCOMPARE(closed.code, 130);
+  QVERIFY2(closed.error.contains("marked as incomplete"), qPrintable(closed.error));
+  QVERIFY(fs::exists(at("tracked/INCOMPLETE")) && fs::exists(at("tracked/registered_002.vtu")));
+  const std::vector<QJsonObject> frames = lines("tracked/frames.jsonl");
+  const int done = frames.back()["frames"].toInt();
+  QVERIFY(!frames.back()["complete"].toBool(true));
+  QVERIFY(done >= 3 && done < 200);
+  QCOMPARE(frames.size(), static_cast<std::size_t>(done) + 1);
+
+  fs::remove_all(at("tracked"));
+  for (int frame = 12; frame < 200; ++frame)
+    fs::remove(at(qPrintable(QString("cloud_%1.ply").arg(frame, 3, 10, QChar('0')))));
+  std::signal(SIGHUP, SIG_IGN);
+  const Ran detached = hung_up();
+  std::signal(SIGHUP, before);
+  QVERIFY2(detached.code == 0, qPrintable(detached.error));
+  QVERIFY(!fs::exists(at("tracked/INCOMPLETE")) && fs::exists(at("tracked/registered_011.vtu")));
 }
 
 void KeepingCommandsTest::AnOutputFolderReplacesNoDeviceAndNoLink() {
