@@ -207,6 +207,7 @@ void LabelImportTest::ALiverThatLooksMirroredIsRefusedOrTold() {
   const std::string said = complaint([this] { imported("theirs.seg.nrrd"); });
   QVERIFY2(said.find("mirrored") != std::string::npos, said.c_str());
   QCOMPARE(imported("theirs.seg.nrrd", {}, LeftLiver::taken).notes, Notes{"liver.perhaps_mirrored"});
+  QVERIFY(imported("theirs.seg.nrrd", {}, LeftLiver::asked).notes.empty());
 }
 
 void LabelImportTest::AnotherGridIsRefused() {

@@ -168,7 +168,7 @@ void put_labels(const LabelFile& file, const LabelCodes& meanings, const std::st
   }
   if (left_liver == LeftLiver::refused)
     require_not_mirrored(imported.labels.voxels, name);
-  else if (looks_mirrored(imported.labels.voxels))
+  else if (left_liver == LeftLiver::taken && looks_mirrored(imported.labels.voxels))
     imported.notes.emplace_back("liver.perhaps_mirrored");
 }
 
