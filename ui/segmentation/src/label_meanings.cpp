@@ -72,14 +72,12 @@ LabelCodes FoundLabels::meanings() const {
 FoundLabels found_labels(const LabelFile& file, bool is_own) {
   const bool are_others = !is_own && std::ranges::any_of(file.infos, is_named_otherwise);
   const LabelCodes meant = are_others ? codes_meant(file.infos) : LabelCodes();
-  const std::vector<long> counts = file.voxels.histogram();
   FoundLabels found;
-  found.sides = LabelSides(file.voxels);
-  for (std::size_t code = 1; code < counts.size(); ++code) {
-    if (counts[code] == 0) continue;
+  found.summary = LabelSummary(file.voxels);
+  for (const Label code : found.summary.labels()) {
     FoundLabel label;
-    label.info.code = static_cast<Label>(code);
-    label.ml = 1e-3 * static_cast<double>(counts[code]) * file.voxels.grid().voxel_volume_mm3();
+    label.info.code = code;
+    label.ml = found.summary.ml(code);
     const auto info = std::ranges::find(file.infos, label.info.code, &LabelInfo::code);
     if (info != file.infos.end()) label.info = *info;
     const bool is_number = !is_own && is_nameless(label.info);

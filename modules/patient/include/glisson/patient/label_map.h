@@ -88,8 +88,6 @@ enum class LeftLiver {
   taken,  ///< a person says that it does lie there; it is noted
   asked   ///< a person has said so when asked about this very file, and is not told again
 };
-/// @param name of the file, for the message. @throws InputError it looks mirrored.
-void require_not_mirrored(const LabelVolume& labels, const std::string& name);
 
 /// A foreign label volume, recoded. Codes that the table does not name become background.
 /// @param name of the file, for messages.
