@@ -49,18 +49,6 @@ LabelCodes meanings_of(const std::filesystem::path& path, const std::string& fie
   return codes;
 }
 
-/// "label_7" is what Glisson writes where there is no name.
-bool is_nameless(const LabelInfo& segment) {
-  return segment.name.empty() || segment.name == "label_" + std::to_string(segment.code);
-}
-
-/// Whether a file names its segments otherwise than Glisson names those of the same numbers.
-bool are_named_by_others(const std::vector<LabelInfo>& segments) {
-  return std::ranges::any_of(segments, [](const LabelInfo& segment) {
-    return !is_nameless(segment) && segment.name != structure_name(segment.code);
-  });
-}
-
 /// The first of a list, with commas.
 std::string first_of(const std::vector<std::string>& list) {
   constexpr std::size_t kNamed = 12;
@@ -104,7 +92,7 @@ void note_left_out(const LabelFile& file, const LabelSummary& summary, const Lab
 LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std::vector<std::string>& notes) {
   LabelFile file = read_labels(path);
   if (!codes.empty()) return file;
-  if (are_named_by_others(file.infos))
+  if (std::ranges::any_of(file.infos, is_named_otherwise))
     codes = meanings_of(path, "Segment names", file.infos, notes);
   else
     note_numbers(file.infos, notes);

@@ -37,15 +37,6 @@ class StillComboBox : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
-/// "label_7" is what Glisson writes where there is no name.
-bool is_nameless(const LabelInfo& info) {
-  return info.name.empty() || info.name == "label_" + std::to_string(info.code);
-}
-
-bool is_named_otherwise(const LabelInfo& info) {
-  return !is_nameless(info) && info.name != structure_name(info.code);
-}
-
 QIcon icon_of(const LabelInfo& info) {
   QPixmap picture(12, 12);
   picture.fill(QColor::fromRgbF(static_cast<float>(info.colour[0]), static_cast<float>(info.colour[1]),
