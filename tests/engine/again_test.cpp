@@ -102,6 +102,7 @@ class AgainTest : public QObject {
   void WhatIsOfferedIsTakenAndNothingIsOutOfDate();
   void WhoCancelsAfterItHasGoneOverComesTooLate_data() { test::both_runners(); }
   void WhoCancelsAfterItHasGoneOverComesTooLate();
+  void OnlyWhatIsBetterIsTakenUnasked();
   void PointsOfAnotherMomentAreLeftOut();
   void ARefusedOneIsNotTaken_data() { test::both_runners(); }
   void ARefusedOneIsNotTaken();
@@ -180,6 +181,23 @@ void AgainTest::WhoCancelsAfterItHasGoneOverComesTooLate() {
   QCOMPARE(registered(engine), shown(engine));  // the case tells of what is drawn
   QCOMPARE(outcome.status, Status::done);
   current(engine);
+}
+
+void AgainTest::OnlyWhatIsBetterIsTakenUnasked() {
+  Engine engine(options(Runner::inline_));
+  QVERIFY(!take_if_better(engine.snapshot()->state));
+  begin_with_offer(engine);
+  const auto offered = engine.snapshot()->state[part::other_registration];
+  const auto take = take_if_better(engine.snapshot()->state);
+  QVERIFY(take && take->seen == offered);
+  QCOMPARE(ask(engine, *take).status, Status::done);
+  QCOMPARE(registered(engine), 2.0);
+  QVERIFY(!take_if_better(engine.snapshot()->state));  // the former one
+  CaseState state;
+  auto worse = std::make_shared<OtherRegistration>(*offered);
+  worse->is_better = false;
+  state[part::other_registration] = worse;
+  QVERIFY(!take_if_better(state));
 }
 
 void AgainTest::PointsOfAnotherMomentAreLeftOut() {

@@ -84,6 +84,7 @@ class LoadTrialTest : public QObject {
   void ATrialChangesNothingOfTheCase();
   void ElementsInsideOutEndIt();
   void AnOrganThatNothingHoldsIsRefused();
+  void OptionsOutOfRangeAreRefusedBeforeAnythingElse();
 };
 
 void LoadTrialTest::AHeldPullEndsInTheStaticSolution_data() {
@@ -218,6 +219,19 @@ void LoadTrialTest::AnOrganThatNothingHoldsIsRefused() {
   QVERIFY(make_load_trial(state, TrialOptions{}, RunContext()).has_value());
   built->model.mesh = {};
   QVERIFY(complaint_of().find("tetrahedra") != std::string::npos);
+}
+
+void LoadTrialTest::OptionsOutOfRangeAreRefusedBeforeAnythingElse() {
+  auto built = std::make_shared<model::BuiltModel>(*patient());
+  built->model.landmarks = {};
+  built->model.vessels.clear();
+  CaseState state;
+  state[part::model] = built;
+  TrialOptions options;
+  options.boundary_young_modulus = 0.0;  // no spring could be made of it
+  const std::string said = test::complaint([&] { options.validate(); });
+  QVERIFY2(said.find("boundary_young_modulus") != std::string::npos, said.c_str());
+  QCOMPARE(test::complaint([&] { make_load_trial(state, options, RunContext()); }), said);
 }
 
 QTEST_APPLESS_MAIN(LoadTrialTest)

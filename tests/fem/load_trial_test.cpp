@@ -168,6 +168,9 @@ void LoadTrialTest::OptionsOutOfRangeAreRefused() {
   const std::string said = test::complaint([&] { options.validate(); });
   QVERIFY2(said.find(field.toStdString()) != std::string::npos, said.c_str());
   QCOMPARE(test::complaint([&] { trial_of(block(), options); }), said);
+  // Before anything is asked of the model: what holds it is made with them.
+  const auto hold = []() -> Holding { throw PreconditionError("nothing is made with such options"); };
+  QCOMPARE(test::complaint([&] { make_load_trial(PatientModel(), {}, hold, options, RunContext()); }), said);
 }
 
 QTEST_APPLESS_MAIN(LoadTrialTest)

@@ -308,6 +308,8 @@ void SurfacesTest::MirroredSurfacesAreRefused() {
     QCOMPARE(told.find("to the left of the vena cava") != std::string::npos, x < 0.0);
     const auto taken = model::read_surfaces(folder.path(), LengthUnit::millimetre, LeftLiver::taken);
     QCOMPARE(std::ranges::count(taken.notes, "liver.perhaps_mirrored"), x < 0.0 ? 1L : 0L);
+    const auto asked = model::read_surfaces(folder.path(), LengthUnit::millimetre, LeftLiver::asked);
+    QCOMPARE(std::ranges::count(asked.notes, "liver.perhaps_mirrored"), 0L);
   }
 }
 

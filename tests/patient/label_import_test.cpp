@@ -37,6 +37,7 @@ class LabelImportTest : public QObject {
   void SegmentsThatMeanNothingOfTheLiverAreRefused();
   void CancelledItGivesNothing();
   void EveryStructureHasAMeaning();
+  void ANumberIsNoName();
 
  private:
   fs::path at(const char* name) const { return folder_->path() / name; }
@@ -207,6 +208,7 @@ void LabelImportTest::ALiverThatLooksMirroredIsRefusedOrTold() {
   const std::string said = complaint([this] { imported("theirs.seg.nrrd"); });
   QVERIFY2(said.find("mirrored") != std::string::npos, said.c_str());
   QCOMPARE(imported("theirs.seg.nrrd", {}, LeftLiver::taken).notes, Notes{"liver.perhaps_mirrored"});
+  QVERIFY(imported("theirs.seg.nrrd", {}, LeftLiver::asked).notes.empty());
 }
 
 void LabelImportTest::AnotherGridIsRefused() {
@@ -250,6 +252,15 @@ void LabelImportTest::EveryStructureHasAMeaning() {
         structure::kArtery, structure::kGallbladder, structure::kFirstLesion})
     QCOMPARE(codes_meant({{9, "", structure_terminology(label)}}).at(9), label);
   QVERIFY(codes_meant({{9, "", structure_terminology(structure::kFirstOther)}}).empty());
+}
+
+void LabelImportTest::ANumberIsNoName() {
+  QVERIFY(is_nameless({7, "", ""}) && is_nameless({7, "label_7", ""}));
+  QVERIFY(!is_nameless({7, "label_8", ""}));
+  QVERIFY(is_named_otherwise({structure::kParenchyma, "Leber", ""}));
+  QVERIFY(is_named_otherwise({structure::kPortalVein, structure_name(structure::kParenchyma), ""}));
+  QVERIFY(!is_named_otherwise(structure_info(structure::kParenchyma)));
+  QVERIFY(!is_named_otherwise({structure::kParenchyma, "label_1", ""}));
 }
 
 QTEST_APPLESS_MAIN(LabelImportTest)

@@ -3,9 +3,11 @@
 
 #include <QTest>
 
+#include <set>
+
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "glisson/patient/label_sides.h"
+#include "glisson/patient/label_summary.h"
 #include "glisson/patient/segment_meaning.h"
 
 using namespace glisson;
@@ -114,6 +116,8 @@ void LabelMapTest::RecodeRefusesAFileWithoutLiver() {
   foreign.set({0, 0, 0}, 10);
   QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(foreign), {{10, structure::kPortalVein}}, "x"));
   QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(foreign), {{6, structure::kParenchyma}}, "x"));
+  foreign.set({1, 0, 0}, structure::kParenchyma);  // its number alone says nothing
+  QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(foreign), {}, "x"));
 }
 
 void LabelMapTest::RecodeRefusesAMirroredPatient() {
@@ -126,7 +130,7 @@ void LabelMapTest::RecodeRefusesAMirroredPatient() {
   mirrored.direction(0, 0) = -1.0;
   const LabelVolume turned(mirrored, foreign.dense());
   QVERIFY(looks_mirrored(turned));
-  QVERIFY_THROWS_EXCEPTION(InputError, require_not_mirrored(turned, "turned.nii"));
+  QVERIFY_THROWS_EXCEPTION(InputError, require_not_mirrored(LabelSummary(turned), {}, "turned.nii"));
   QVERIFY_THROWS_EXCEPTION(InputError, recode(file_of(turned), as_they_are, "x"));
   QVERIFY(recode(file_of(turned), as_they_are, "x", LeftLiver::taken).voxels == turned);
 }
@@ -136,8 +140,11 @@ void LabelMapTest::SidesAreToldForAnyMeaningOfTheCodes() {
   voxels.set({5, 5, 5}, 70);  // x grows to the patient's left
   voxels.set({20, 5, 5}, 71);
   voxels.set({38, 5, 5}, 72);
-  const LabelSides sides(voxels);
-  QVERIFY(!sides.look_mirrored());  // no code of Glisson's is in it
+  const LabelSummary summary(voxels);
+  QVERIFY(!summary.look_mirrored());  // no code of Glisson's is in it
+  QCOMPARE(summary.labels(), (std::set<Label>{70, 71, 72}));
+  QCOMPARE(summary.ml(71), 8e-3);
+  QCOMPARE(summary.ml(7), 0.0);
   using structure::kParenchyma, structure::kVenaCava;
   for (const auto& [codes, wanted] : std::vector<std::pair<LabelCodes, bool>>{
            {{{70, kParenchyma}, {71, kVenaCava}}, false},
@@ -145,11 +152,12 @@ void LabelMapTest::SidesAreToldForAnyMeaningOfTheCodes() {
            {{{70, kParenchyma}}, false},
            // Its lesions are the liver's: what lies farther left than both outweighs the other.
            {{{70, kParenchyma}, {71, kVenaCava}, {72, structure::kFirstLesion}}, true}}) {
-    QCOMPARE(sides.look_mirrored(codes), wanted);
+    QCOMPARE(summary.look_mirrored(codes), wanted);
     const LabelMap recoded = recode(file_of(voxels), codes, "x", LeftLiver::taken);
-    QCOMPARE(LabelSides(recoded.voxels).look_mirrored(), wanted);
+    QCOMPARE(LabelSummary(recoded.voxels).look_mirrored(), wanted);
+    QCOMPARE(summary.labels(codes), LabelSummary(recoded.voxels).labels());
   }
-  QVERIFY(!LabelSides().look_mirrored());
+  QVERIFY(!LabelSummary().look_mirrored());
 }
 
 void LabelMapTest::CodesAreReadByName() {

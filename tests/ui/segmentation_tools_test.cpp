@@ -19,6 +19,7 @@
 #include "glisson/editing/tools/scissors.h"
 #include "glisson/editing/tools/smooth.h"
 #include "glisson/editing/tools/threshold.h"
+#include "glisson/engine/step_kind.h"
 #include "glisson/ui/segmentation/edit_texts.h"
 #include "segmentation_strokes.h"
 
@@ -394,6 +395,12 @@ void SegmentationToolsTest::StepsAreNamedForPeople() {
   QCOMPARE(ui::step_text({"margin.grow", structure::kParenchyma, 2.5e-3}),
            QStringLiteral("Margin: grow, 2.5 mm, Liver"));
   QCOMPARE(ui::step_text({"segment", structure::kBackground, 0.0}), QStringLiteral("Segment"));
+  QCOMPARE(ui::step_text({"segment_around_hand", structure::kBackground, 0.0}),
+           QStringLiteral("Segment, corrections kept"));
+  for (const engine::StepKind* kind : engine::step_kinds()) {
+    QVERIFY2(*kind->text != '\0', kind->code.data());
+    QCOMPARE(ui::step_text(kind->name()), QString::fromUtf8(kind->text));
+  }
 }
 
 void SegmentationToolsTest::EveryToolOfTheEditorHasAnIconAndNamesForItsSteps() {

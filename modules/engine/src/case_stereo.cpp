@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
@@ -76,38 +79,88 @@ class PointsFile {
   json document_;
 };
 
-json written(const stereo::ReconstructOptions& o) {
-  return {{"method", code_in(stereo::kMethodCodes, o.method)},
-          {"kind", code_in(stereo::kFeatureCodes, o.kind)},
-          {"features", o.features},
-          {"ratio", o.ratio},
-          {"epipolar_px", o.epipolar_px},
-          {"reprojection_px", o.reprojection_px},
-          {"near_m", o.near},
-          {"far_m", o.far},
-          {"points_per_cm2", o.points_per_cm2},
-          {"patch", o.patch},
-          {"smooth", o.smooth},
-          {"least_density_per_cm2", o.least_density_per_cm2},
-          {"find_circle", o.find_circle}};
+/// Writes the entries of a group.
+struct EntriesWritten {
+  json group = json::object();
+
+  void operator()(const char* field, const auto& value) { group[field] = value; }
+  void operator()(const char* field, const auto& value, const auto& codes) {
+    group[field] = code_in(codes, value);
+  }
+};
+
+/// Reads them.
+struct EntriesRead {
+  const PointsFile& file;
+  std::string group;
+  bool may_be_unknown = false;  ///< its numbers: see PointsFile::figure()
+
+  template <class T>
+  void operator()(const char* field, T& value) const {
+    value = file.get<T>(group, field);
+  }
+  void operator()(const char* field, double& value) const {
+    value = may_be_unknown ? file.figure(group, field) : file.number(group, field);
+  }
+  void operator()(const char* field, auto& value, const auto& codes) const {
+    value = file.coded(group, field, codes);
+  }
+};
+
+/// Const where it is written.
+template <class T, class Value>
+concept Any = std::same_as<std::remove_const_t<T>, Value>;
+
+void each_entry(Any<stereo::ReconstructOptions> auto& o, auto&& entry) {
+  entry("method", o.method, stereo::kMethodCodes);
+  entry("kind", o.kind, stereo::kFeatureCodes);
+  entry("features", o.features);
+  entry("ratio", o.ratio);
+  entry("epipolar_px", o.epipolar_px);
+  entry("reprojection_px", o.reprojection_px);
+  entry("near_m", o.near);
+  entry("far_m", o.far);
+  entry("points_per_cm2", o.points_per_cm2);
+  entry("patch", o.patch);
+  entry("smooth", o.smooth);
+  entry("least_density_per_cm2", o.least_density_per_cm2);
+  entry("find_circle", o.find_circle);
+}
+
+void each_entry(Any<stereo::ReconstructReport> auto& r, auto&& entry) {
+  entry("method", r.method, stereo::kMethodCodes);
+  entry("features_left", r.features_left);
+  entry("features_right", r.features_right);
+  entry("matches", r.matches);
+  entry("points", r.points);
+  entry("area_cm2", r.area_cm2);
+  entry("density_per_cm2", r.density_per_cm2);
+  entry("row_offset_px", r.row_offset_px);
+  entry("epipolar_rms_px", r.epipolar_rms_px);
+  entry("sigma_median_m", r.sigma_median);
+  entry("misfit", r.misfit);
+}
+
+void each_entry(Any<stereo::DensityMap> auto& map, auto&& entry) {
+  entry("columns", map.columns);
+  entry("rows", map.rows);
+  entry("cell_px", map.cell);
+  entry("least_per_cm2", map.least_per_cm2);
+  entry("area_cm2", map.area_cm2);
+  entry("covered", map.covered);
+  entry("per_cm2", map.per_cm2);
+}
+
+json group_of(const auto& value) {
+  EntriesWritten entries;
+  each_entry(value, entries);
+  return entries.group;
 }
 
 stereo::ReconstructOptions read_options(const PointsFile& file) {
   const std::string group = "options";
   stereo::ReconstructOptions o;
-  o.method = file.coded(group, "method", stereo::kMethodCodes);
-  o.kind = file.coded(group, "kind", stereo::kFeatureCodes);
-  o.features = file.get<int>(group, "features");
-  o.ratio = file.number(group, "ratio");
-  o.epipolar_px = file.number(group, "epipolar_px");
-  o.reprojection_px = file.number(group, "reprojection_px");
-  o.near = file.number(group, "near_m");
-  o.far = file.number(group, "far_m");
-  o.points_per_cm2 = file.number(group, "points_per_cm2");
-  o.patch = file.get<int>(group, "patch");
-  o.smooth = file.get<bool>(group, "smooth");
-  o.least_density_per_cm2 = file.number(group, "least_density_per_cm2");
-  o.find_circle = file.get<bool>(group, "find_circle");
+  each_entry(o, EntriesRead{file, group});
   try {
     o.validate();
   } catch (const PreconditionError& failure) {
@@ -116,54 +169,15 @@ stereo::ReconstructOptions read_options(const PointsFile& file) {
   return o;
 }
 
-json written(const stereo::ReconstructReport& r) {
-  return {{"method", code_in(stereo::kMethodCodes, r.method)},
-          {"features_left", r.features_left},
-          {"features_right", r.features_right},
-          {"matches", r.matches},
-          {"points", r.points},
-          {"area_cm2", r.area_cm2},
-          {"density_per_cm2", r.density_per_cm2},
-          {"row_offset_px", r.row_offset_px},
-          {"epipolar_rms_px", r.epipolar_rms_px},
-          {"sigma_median_m", r.sigma_median},
-          {"misfit", r.misfit}};
-}
-
 stereo::ReconstructReport read_report(const PointsFile& file) {
-  const std::string group = "report";
   stereo::ReconstructReport r;
-  r.method = file.coded(group, "method", stereo::kMethodCodes);
-  r.features_left = file.get<int>(group, "features_left");
-  r.features_right = file.get<int>(group, "features_right");
-  r.matches = file.get<int>(group, "matches");
-  r.points = file.get<int>(group, "points");
-  r.area_cm2 = file.figure(group, "area_cm2");
-  r.density_per_cm2 = file.figure(group, "density_per_cm2");
-  r.row_offset_px = file.figure(group, "row_offset_px");
-  r.epipolar_rms_px = file.figure(group, "epipolar_rms_px");
-  r.sigma_median = file.figure(group, "sigma_median_m");
-  r.misfit = file.figure(group, "misfit");
+  each_entry(r, EntriesRead{file, "report", true});
   return r;
 }
 
-json written(const stereo::DensityMap& map) {
-  return {{"columns", map.columns},   {"rows", map.rows},
-          {"cell_px", map.cell},      {"least_per_cm2", map.least_per_cm2},
-          {"area_cm2", map.area_cm2}, {"covered", map.covered},
-          {"per_cm2", map.per_cm2}};
-}
-
 stereo::DensityMap read_density(const PointsFile& file) {
-  const std::string group = "density";
   stereo::DensityMap map;
-  map.columns = file.get<int>(group, "columns");
-  map.rows = file.get<int>(group, "rows");
-  map.cell = file.get<int>(group, "cell_px");
-  map.least_per_cm2 = file.number(group, "least_per_cm2");
-  map.area_cm2 = file.number(group, "area_cm2");
-  map.covered = file.number(group, "covered");
-  map.per_cm2 = file.get<std::vector<float>>(group, "per_cm2");
+  each_entry(map, EntriesRead{file, "density"});
   if (map.columns < 0 || map.rows < 0 || map.cell < 1 ||
       map.per_cm2.size() != static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows))
     file.refuse("density.per_cm2", "holds " + std::to_string(map.per_cm2.size()) + " cells, not " +
@@ -207,11 +221,11 @@ void write_points(const fs::path& folder, const CaseState& state, const PairPoin
               // Points of a former pair or calibration are shown, but not labelled anew.
               {"of_the_frame", points.frame == state[part::frame] && state[part::frame] != nullptr},
               {"of_the_calibration", points.rig == state[part::rig] && state[part::rig] != nullptr},
-              {"options", written(points.options)},
-              {"report", written(points.whole->report)},
+              {"options", group_of(points.options)},
+              {"report", group_of(points.whole->report)},
               {"area_cm2", points.area_cm2},
               {"density_per_cm2", points.density_per_cm2},
-              {"density", written(points.density)},
+              {"density", group_of(points.density)},
               {"covariance_mm2", written(points.whole->covariance)}});
 }
 

@@ -12,6 +12,7 @@
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/seeds.h"
 #include "label_steps.h"
+#include "steps/segment.h"
 
 namespace glisson::engine {
 namespace {
@@ -70,7 +71,7 @@ Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Lab
   Applied applied{state};
   applied.notes = found->notes;
   if (!compares) {
-    put_grown_labels(applied.state, std::move(found->labels), kSegmentStep);
+    put_grown_labels(applied.state, std::move(found->labels), step::segment);
     applied.figures = label_figures(applied.state);
     return applied;
   }

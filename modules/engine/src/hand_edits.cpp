@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/step_kind.h"
 #include "label_steps.h"
 
 namespace glisson::engine {
@@ -25,17 +26,17 @@ struct Walk {
     std::set<Label> renewed;
     for (std::size_t n = history.done(); n > 0; --n) {
       const Step& step = *history.steps()[n - 1];
-      if (step.name.code == kImportStep) break;
-      const bool is_growth = step.name.code == kSegmentStep || step.name.code == kMergeStep;
-      if (is_growth && grown) grown(step);
-      if (step.name.code == kMergeStep) continue;
+      const StepKind::Work work = work_of(step.name);
+      if (work == StepKind::Work::imported) break;
+      if (work != StepKind::Work::by_hand && grown) grown(step);
+      if (work == StepKind::Work::grown_around_hand) continue;
       const std::set<Label> labels = step.name.label != structure::kBackground
                                          ? std::set<Label>{step.name.label}
                                          : labels_touched(step.changes);
       std::set<Label> left;
       std::set_difference(labels.begin(), labels.end(), renewed.begin(), renewed.end(),
                           std::inserter(left, left.end()));
-      if (is_growth)
+      if (work == StepKind::Work::grown)
         renewed.insert(labels.begin(), labels.end());
       else if (!left.empty())
         by_hand(step, left);

@@ -10,6 +10,8 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/review.h"
+#include "steps/segment.h"
+#include "steps/segment_around_hand.h"
 
 namespace glisson::engine {
 namespace {
@@ -136,9 +138,9 @@ void step_labels(CaseState& state, StepDirection direction) {
   put_labels(state, std::move(stepped), std::move(then));
 }
 
-void put_grown_labels(CaseState& state, LabelMap labels, const char* step) {
+void put_grown_labels(CaseState& state, LabelMap labels, const StepKind& kind) {
   Review review = review_or_none(state);
-  for (const Label label : replace_labels(state, std::move(labels), {step, 0, 0.0}))
+  for (const Label label : replace_labels(state, std::move(labels), kind.name()))
     review[label] = ReviewState::to_review;
   put_review(state, review);
 }
@@ -152,7 +154,7 @@ void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_han
                        [&](const LabelInfo& other) { return other.code == info.code; }))
         labels.infos.push_back(info);
   }
-  put_grown_labels(state, std::move(labels), keeps_hand ? kMergeStep : kSegmentStep);
+  put_grown_labels(state, std::move(labels), keeps_hand ? step::segment_around_hand : step::segment);
 }
 
 Figures label_figures(const CaseState& state) {

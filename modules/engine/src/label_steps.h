@@ -9,6 +9,7 @@
 #include "glisson/editing/history.h"
 #include "glisson/engine/case_state.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/step_kind.h"
 #include "glisson/patient/label_map.h"
 
 /// @file
@@ -16,12 +17,6 @@
 /// review of what they touched.
 
 namespace glisson::engine {
-
-/// Steps that made all labels, or those that were asked for, anew.
-inline constexpr const char* kSegmentStep = "segment";
-/// Growth that kept the voxels which a hand had corrected.
-inline constexpr const char* kMergeStep = "segment_around_hand";
-inline constexpr const char* kImportStep = "import_labels";
 
 /// For errors: "liver, lesion_1".
 std::string structure_names(const std::set<Label>& labels);
@@ -52,7 +47,7 @@ enum class StepDirection { back, forth };
 void step_labels(CaseState& state, StepDirection direction);
 
 /// The labels that growth found, with their review and figures: what a machine made is there to be looked at.
-void put_grown_labels(CaseState& state, LabelMap labels, const char* step);
+void put_grown_labels(CaseState& state, LabelMap labels, const StepKind& kind);
 /// The same of an offer, with or without the voxels that a hand has corrected.
 void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_hand);
 

@@ -27,8 +27,9 @@ std::optional<AgainEvery::Tried> AgainEvery::after(int frame, double seconds, co
     tried.line.former_gap = other->former_gap;
     tried.line.gap = other->gap;
     tried.line.moved = other->moved;
-    if (other->is_better) post_(engine::TakeRegistration{});
-    tried.line.is_taken = other->is_better;
+    const auto take = engine::take_if_better(state_());
+    if (take) post_(*take);
+    tried.line.is_taken = take.has_value();
   } catch (const Error& problem) {
     if (context.cancelled()) throw;
     tried.problem = problem.what();

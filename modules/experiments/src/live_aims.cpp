@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_proof.h"
 
-// lupdate looks for this word and collects the texts; here it leaves them as they are.
-#define QT_TRANSLATE_NOOP(context, text) text
+#include "glisson/core/marked_text.h"
 
 namespace glisson::experiments {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "marked_text.h"
+#include "glisson/core/marked_text.h"
 #include "pulled_proof.h"
 
 namespace glisson::experiments {

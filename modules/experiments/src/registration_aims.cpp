@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration_proof.h"
 
-#include "marked_text.h"
+#include "glisson/core/marked_text.h"
 
 namespace glisson::experiments {
 

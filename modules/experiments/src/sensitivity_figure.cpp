@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "glisson/core/marked_text.h"
 #include "glisson/experiments/sensitivity.h"
-#include "marked_text.h"
 
 namespace glisson::experiments {
 namespace {

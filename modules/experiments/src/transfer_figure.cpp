@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 
+#include "glisson/core/marked_text.h"
 #include "glisson/experiments/transfer_study.h"
-#include "marked_text.h"
 
 namespace glisson::experiments {
 namespace {

@@ -190,4 +190,27 @@ std::unique_ptr<LoadTrial> make_load_trial(const std::shared_ptr<const Composite
   return std::make_unique<ElasticTrial>(composite, std::move(holding), options);
 }
 
+Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const PatientModel& model, const Tissue& tissue,
+                                                        const std::function<Holding()>& hold,
+                                                        const TrialOptions& options,
+                                                        const RunContext& context) {
+  options.validate();
+  if (model.mesh.tetrahedron_count() == 0)
+    throw InputError("model", "mesh", "has no tetrahedra", "Build the model again");
+  Holding holding = hold();
+  if (!is_held(model))
+    throw InputError(
+        "model", "vena cava",
+        "and the places where vessels enter lie on one line, about which the organ would turn freely",
+        "Place three points or more of the vena cava among the landmarks, where it touches the liver");
+  context.progress(0.1, "trial.model");
+  const auto composite = std::make_shared<const CompositeModel>(
+      model.mesh, model.vessels, with_tissue(options.materials, tissue, model.mesh));
+  if (context.cancelled()) return {};
+  context.progress(0.5, "trial.solver");
+  auto trial = std::make_unique<ElasticTrial>(composite, std::move(holding), options);
+  if (context.cancelled()) return {};
+  return trial;
+}
+
 }  // namespace glisson::fem

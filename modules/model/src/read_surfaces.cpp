@@ -362,7 +362,7 @@ SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit, LeftLiver left_l
            "removed",
            "Export all surfaces of one patient in one frame (LPS); after a right hepatectomy import them "
            "with 'glisson model --left-liver'");
-  set.notes.emplace_back("liver.perhaps_mirrored");
+  if (left_liver == LeftLiver::taken) set.notes.emplace_back("liver.perhaps_mirrored");
   return set;
 }
 

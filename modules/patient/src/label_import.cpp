@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/patient/label_summary.h"
 #include "glisson/patient/lesion_pieces.h"
 #include "glisson/patient/segment_meaning.h"
 #include "glisson/volume/dicom_segmentation.h"
@@ -48,18 +49,6 @@ LabelCodes meanings_of(const std::filesystem::path& path, const std::string& fie
   return codes;
 }
 
-/// "label_7" is what Glisson writes where there is no name.
-bool is_nameless(const LabelInfo& segment) {
-  return segment.name.empty() || segment.name == "label_" + std::to_string(segment.code);
-}
-
-/// Whether a file names its segments otherwise than Glisson names those of the same numbers.
-bool are_named_by_others(const std::vector<LabelInfo>& segments) {
-  return std::ranges::any_of(segments, [](const LabelInfo& segment) {
-    return !is_nameless(segment) && segment.name != structure_name(segment.code);
-  });
-}
-
 /// The first of a list, with commas.
 std::string first_of(const std::vector<std::string>& list) {
   constexpr std::size_t kNamed = 12;
@@ -79,17 +68,17 @@ void note_numbers(const std::vector<LabelInfo>& infos, std::vector<std::string>&
 
 /// Labels of which the codes say nothing become background: whoever forgot a tumour's code learns that it is
 /// missing.
-void note_left_out(const LabelFile& file, const LabelCodes& codes, std::vector<std::string>& notes) {
-  const std::vector<long> counts = file.voxels.histogram();
-  std::vector<std::pair<long, std::string>> found;  // the largest first
-  for (std::size_t code = 1; code < counts.size(); ++code) {
-    if (counts[code] == 0 || codes.contains(static_cast<Label>(code))) continue;
-    const double ml = 1e-3 * static_cast<double>(counts[code]) * file.voxels.grid().voxel_volume_mm3();
-    const auto info = std::ranges::find(file.infos, static_cast<Label>(code), &LabelInfo::code);
+void note_left_out(const LabelFile& file, const LabelSummary& summary, const LabelCodes& codes,
+                   std::vector<std::string>& notes) {
+  std::vector<std::pair<double, std::string>> found;  // the largest first
+  for (const Label code : summary.labels()) {
+    if (codes.contains(code)) continue;
+    const double ml = summary.ml(code);
+    const auto info = std::ranges::find(file.infos, code, &LabelInfo::code);
     const bool is_named = info != file.infos.end() && !is_nameless(*info);
     std::array<char, 32> volume{};
     std::snprintf(volume.data(), volume.size(), " (%.1f ml)", ml);
-    found.emplace_back(-counts[code],
+    found.emplace_back(-ml,
                        std::to_string(code) + (is_named ? ' ' + info->name : std::string()) + volume.data());
   }
   std::ranges::sort(found);
@@ -103,7 +92,7 @@ void note_left_out(const LabelFile& file, const LabelCodes& codes, std::vector<s
 LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std::vector<std::string>& notes) {
   LabelFile file = read_labels(path);
   if (!codes.empty()) return file;
-  if (are_named_by_others(file.infos))
+  if (std::ranges::any_of(file.infos, is_named_otherwise))
     codes = meanings_of(path, "Segment names", file.infos, notes);
   else
     note_numbers(file.infos, notes);
@@ -136,11 +125,9 @@ LabelFile read_dicom(const std::filesystem::path& path, const LabelPlace& place,
 /// @param[in,out] codes what is said of the numbers; then what they mean, empty: they are Glisson's.
 LabelFile read(const std::filesystem::path& path, const LabelPlace& place, LabelCodes& codes,
                std::vector<std::string>& notes) {
-  const bool are_given = !codes.empty();
   LabelFile file =
       has_dicom_mark(path) ? read_dicom(path, place, codes, notes) : read_volume(path, codes, notes);
   if (place.grid != nullptr) require_same_grid(file.voxels.grid(), *place.grid, path.string());
-  if (are_given) note_left_out(file, codes, notes);
   return file;
 }
 
@@ -158,23 +145,27 @@ void part_lesions(LabelMap& labels, Review& review, std::vector<std::string>& no
 }
 
 /// What a file's labels become. @param meanings of its numbers; empty: they are Glisson's.
-void put_labels(const LabelFile& file, const LabelCodes& meanings, const std::string& name,
-                LeftLiver left_liver, ImportedLabels& imported) {
+void put_labels(const LabelFile& file, const LabelSummary& summary, const LabelCodes& meanings,
+                const std::string& name, ImportedLabels& imported) {
   imported.review = review_in(file, meanings);
-  imported.labels = {file.voxels, file.infos};
-  if (!meanings.empty()) {
-    imported.labels = recode(file, meanings, name, LeftLiver::taken);  // judged below
+  if (meanings.empty()) {
+    imported.labels = {file.voxels, file.infos};
+  } else {
+    imported.labels = recode(file, summary, meanings, name);
     part_lesions(imported.labels, imported.review, imported.notes);
   }
-  if (left_liver == LeftLiver::refused)
-    require_not_mirrored(imported.labels.voxels, name);
-  else if (looks_mirrored(imported.labels.voxels))
-    imported.notes.emplace_back("liver.perhaps_mirrored");
 }
 
-void require_parenchyma(const LabelVolume& labels, const std::string& name) {
-  const std::vector<long> counts = labels.histogram();
-  if (counts.size() <= structure::kParenchyma || counts[structure::kParenchyma] == 0)
+void judge_side(const LabelSummary& summary, const LabelCodes& meanings, const std::string& name,
+                LeftLiver left_liver, std::vector<std::string>& notes) {
+  if (left_liver == LeftLiver::refused)
+    require_not_mirrored(summary, meanings, name);
+  else if (left_liver == LeftLiver::taken && summary.look_mirrored(meanings))
+    notes.emplace_back("liver.perhaps_mirrored");
+}
+
+void require_parenchyma(const LabelSummary& summary, const LabelCodes& meanings, const std::string& name) {
+  if (!summary.labels(meanings).contains(structure::kParenchyma))
     throw InputError(name, "labels", "none of them is the liver's parenchyma",
                      "Say which code means what with --codes FILE (see 'glisson model --help')");
 }
@@ -189,8 +180,11 @@ Cancellable<ImportedLabels> import_labels(const std::filesystem::path& path, con
   LabelCodes meanings = codes;
   const LabelFile file = read(path, place, meanings, imported.notes);
   if (context.cancelled()) return {};
-  put_labels(file, meanings, path.string(), left_liver, imported);
-  require_parenchyma(imported.labels.voxels, path.string());
+  const LabelSummary summary(file.voxels);
+  if (!codes.empty()) note_left_out(file, summary, codes, imported.notes);
+  put_labels(file, summary, meanings, path.string(), imported);
+  judge_side(summary, meanings, path.string(), left_liver, imported.notes);
+  require_parenchyma(summary, meanings, path.string());
   return imported;
 }
 

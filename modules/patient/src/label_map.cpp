@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/label_map.h"
 
-#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
-#include "glisson/patient/label_sides.h"
+#include "glisson/patient/label_summary.h"
 #include "glisson/volume/morphology.h"
 
 namespace glisson {
@@ -74,40 +73,13 @@ std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm
   return whole;
 }
 
-bool looks_mirrored(const LabelVolume& labels) { return LabelSides(labels).look_mirrored(); }
-
-void require_not_mirrored(const LabelVolume& labels, const std::string& name) {
-  if (looks_mirrored(labels))
-    throw InputError(name, "orientation",
-                     "the liver lies to the left of the vena cava: the volume is mirrored, or the liver's "
-                     "right part was removed",
-                     "Correct the direction in the file's header if left and right are swapped; after a "
-                     "right hepatectomy import it with 'glisson model --left-liver'");
-}
+bool looks_mirrored(const LabelVolume& labels) { return LabelSummary(labels).look_mirrored(); }
 
 LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name,
                 LeftLiver left_liver) {
-  std::vector<Label> table(65536, structure::kBackground);
-  for (const auto& [code, label] : codes) table[code] = label;
-  std::vector<Label> dense = file.voxels.dense();
-  for (Label& label : dense) label = table[label];
-  LabelMap map;
-  map.voxels = LabelVolume(file.voxels.grid(), dense);
-  const std::vector<long> counts = map.voxels.histogram();
-  bool any = false;
-  for (std::size_t i = 1; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    const auto label = static_cast<Label>(i);
-    any = any || is_liver_tissue(label);
-    map.infos.push_back(structure_info(label));
-    for (const LabelInfo& info : file.infos)
-      if (!info.terminology.empty() && codes.contains(info.code) && codes.at(info.code) == label)
-        map.infos.back().terminology = info.terminology;
-  }
-  if (!any)
-    throw InputError(name, "labels", "nothing of the liver is left after the codes were applied",
-                     "Give the codes of this file: which number is parenchyma, portal_vein and so on");
-  if (left_liver == LeftLiver::refused) require_not_mirrored(map.voxels, name);
+  const LabelSummary summary(file.voxels);
+  LabelMap map = recode(file, summary, codes, name);
+  if (left_liver == LeftLiver::refused) require_not_mirrored(summary, codes, name);
   return map;
 }
 

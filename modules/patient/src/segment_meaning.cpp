@@ -67,6 +67,14 @@ std::string structure_terminology(Label label) {
   return entry_of("SCT^85756007^Tissue", "SCT^85756007^Tissue", "^^");
 }
 
+bool is_nameless(const LabelInfo& segment) {
+  return segment.name.empty() || segment.name == "label_" + std::to_string(segment.code);
+}
+
+bool is_named_otherwise(const LabelInfo& segment) {
+  return !is_nameless(segment) && segment.name != structure_name(segment.code);
+}
+
 LabelCodes codes_meant(const std::vector<LabelInfo>& segments) {
   LabelCodes codes;
   std::set<Label> taken;

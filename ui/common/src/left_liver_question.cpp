@@ -42,9 +42,4 @@ void ask_left_liver(QWidget* parent, const std::filesystem::path& path, const st
   box->open();
 }
 
-std::vector<std::string> without_left_liver(std::vector<std::string> notes) {
-  std::erase(notes, "liver.perhaps_mirrored");
-  return notes;
-}
-
 }  // namespace glisson::ui

@@ -79,11 +79,11 @@ void AgainModel::end_registering(const engine::Outcome& outcome) {
   if (outcome.status == engine::Status::failed)
     return say(error_text(outcome.error), QStringLiteral("error"));
   if (other() == nullptr) return;
-  if (other()->is_better && is_offered) {
-    exchanging_ = engine_.post(engine::TakeRegistration{engine_.state()[part::other_registration]});
+  if (const auto take = engine::take_if_better(engine_.state())) {
+    if (!is_offered) return say(tr("Better, but the organ is not followed just now: take it then."));
+    exchanging_ = engine_.post(*take);
     return;
   }
-  if (other()->is_better) return say(tr("Better, but the organ is not followed just now: take it then."));
   tell_record(false);
   QString text = tr("Not taken: it lies %1 mm from tissue that neither has used, the former one %2 mm.")
                      .arg(1e3 * other()->gap, 0, 'f', 1)

@@ -6,7 +6,9 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "glisson/engine/step_kind.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -61,10 +63,9 @@ class EditTexts {
     return {};
   }
   static QHash<QString, QString> steps(const EditTools& tools) {
-    QHash<QString, QString> texts = {{"segment", tr("Segment")},
-                                     {"segment_around_hand", tr("Segment, corrections kept")},
-                                     {"correct_around", tr("Correct around a click")},
-                                     {"import_labels", tr("Import labels")}};
+    QHash<QString, QString> texts;
+    for (const engine::StepKind* kind : engine::step_kinds())
+      texts.insert(QString::fromStdString(std::string(kind->code)), tr(kind->text));
     for (const EditTool tool : tools)
       for (const WindowTool::Step& step : tool->steps) texts.insert(step.code, tr(step.text));
     return texts;

@@ -52,9 +52,9 @@ void LabelImport::ask(const std::filesystem::path& path, const FoundLabels& foun
 
 void LabelImport::import_as(const std::filesystem::path& path, const FoundLabels& found,
                             const LabelCodes& codes) {
-  if (!found.sides.look_mirrored(codes.empty() ? found.meanings() : codes))
+  if (!found.summary.look_mirrored(codes.empty() ? found.meanings() : codes))
     return post(path, codes, LeftLiver::refused);
-  ask_left_liver(owner_->window(), path, [this, path, codes] { post(path, codes, LeftLiver::taken); });
+  ask_left_liver(owner_->window(), path, [this, path, codes] { post(path, codes, LeftLiver::asked); });
 }
 
 void LabelImport::post(const std::filesystem::path& path, const LabelCodes& codes, LeftLiver left_liver) {

@@ -37,15 +37,6 @@ class StillComboBox : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
-/// "label_7" is what Glisson writes where there is no name.
-bool is_nameless(const LabelInfo& info) {
-  return info.name.empty() || info.name == "label_" + std::to_string(info.code);
-}
-
-bool is_named_otherwise(const LabelInfo& info) {
-  return !is_nameless(info) && info.name != structure_name(info.code);
-}
-
 QIcon icon_of(const LabelInfo& info) {
   QPixmap picture(12, 12);
   picture.fill(QColor::fromRgbF(static_cast<float>(info.colour[0]), static_cast<float>(info.colour[1]),
@@ -72,14 +63,12 @@ LabelCodes FoundLabels::meanings() const {
 FoundLabels found_labels(const LabelFile& file, bool is_own) {
   const bool are_others = !is_own && std::ranges::any_of(file.infos, is_named_otherwise);
   const LabelCodes meant = are_others ? codes_meant(file.infos) : LabelCodes();
-  const std::vector<long> counts = file.voxels.histogram();
   FoundLabels found;
-  found.sides = LabelSides(file.voxels);
-  for (std::size_t code = 1; code < counts.size(); ++code) {
-    if (counts[code] == 0) continue;
+  found.summary = LabelSummary(file.voxels);
+  for (const Label code : found.summary.labels()) {
     FoundLabel label;
-    label.info.code = static_cast<Label>(code);
-    label.ml = 1e-3 * static_cast<double>(counts[code]) * file.voxels.grid().voxel_volume_mm3();
+    label.info.code = code;
+    label.ml = found.summary.ml(code);
     const auto info = std::ranges::find(file.infos, label.info.code, &LabelInfo::code);
     if (info != file.infos.end()) label.info = *info;
     const bool is_number = !is_own && is_nameless(label.info);

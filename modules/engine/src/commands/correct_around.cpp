@@ -9,6 +9,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "label_steps.h"
+#include "steps/correct_around.h"
 
 namespace glisson::engine {
 namespace {
@@ -58,7 +59,7 @@ void put(CaseState& state, const CorrectAround& command, Corrected made) {
   const auto before = state[part::labels];
   const Label label =
       command.clicks.empty() ? command.grown.front().structure : Label{structure::kParenchyma};
-  put_edited_labels(state, *before, std::move(made.labels), {"correct_around", label, 0.0}, 0);
+  put_edited_labels(state, *before, std::move(made.labels), step::correct_around.name(label), 0);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "glisson/patient/label_import.h"
 #include "label_steps.h"
 #include "orientation_note.h"
+#include "steps/import_labels.h"
 
 namespace glisson::engine {
 namespace {
@@ -23,7 +24,7 @@ LabelPlace place_of(const CaseState& state) {
 /// The labels with their figures, their review and what was told of them.
 Applied with_imported(const CaseState& state, ImportedLabels imported) {
   Applied applied{state, {}, std::move(imported.notes)};
-  replace_labels(applied.state, std::move(imported.labels), {kImportStep, 0, 0.0});
+  replace_labels(applied.state, std::move(imported.labels), step::import_labels.name());
   put_review(applied.state, imported.review);
   applied.figures = label_figures(applied.state);
   return applied;

@@ -34,6 +34,12 @@ void exchange(CaseState& made, const CaseState& before, const OtherRegistration&
 
 }  // namespace
 
+std::optional<TakeRegistration> take_if_better(const CaseState& state) {
+  const auto& other = state[part::other_registration];
+  if (!other || !other->is_better || other->is_former) return std::nullopt;
+  return TakeRegistration{other};
+}
+
 CommandTraits TakeRegistration::traits() const {
   const Parts parts = {part::registration, part::other_registration, part::live};
   return {.code = "take_registration",

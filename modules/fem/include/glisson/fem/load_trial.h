@@ -7,8 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "glisson/core/run_context.h"
 #include "glisson/core/termination.h"
 #include "glisson/fem/composite_model.h"
+#include "glisson/fem/tissue.h"
 #include "glisson/patient/patient_model.h"
 
 /// @file
@@ -81,5 +83,13 @@ bool is_held(const PatientModel& model);
 /// end follows the pull's target. @throws InputError options out of range.
 std::unique_ptr<LoadTrial> make_load_trial(const std::shared_ptr<const CompositeModel>& composite,
                                            Holding holding, const TrialOptions& options);
+/// The same on the composite model of a patient's liver, with what is said of its tissue.
+/// @param hold makes what holds the liver; @throws InputError nothing does.
+/// @return empty: cancelled.
+/// @throws InputError options out of range, a model without tetrahedra, one that is not is_held().
+Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const PatientModel& model, const Tissue& tissue,
+                                                        const std::function<Holding()>& hold,
+                                                        const TrialOptions& options,
+                                                        const RunContext& context);
 
 }  // namespace glisson::fem

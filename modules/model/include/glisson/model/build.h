@@ -104,7 +104,7 @@ struct SurfaceSet {
 /// trees, and it is noted. @param unit where a list says none.
 /// @throws FileError, InputError naming the file and the remedy: no liver or two, open surface, implausible
 /// size (another unit), a structure larger than the liver (swapped), or away from it (another frame), a liver
-/// left of the vena cava that is not to be taken so (otherwise it is noted).
+/// left of the vena cava that is not to be taken so (LeftLiver::taken: it is noted).
 SurfaceSet read_surfaces(const std::filesystem::path& path, LengthUnit unit,
                          LeftLiver left_liver = LeftLiver::refused);
 Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const ModelOptions& options,

@@ -31,7 +31,7 @@ struct ImportedLabels {
 /// Segments of others say by code or name what they are, not by their number; numbers without a name of
 /// somebody else's are Glisson's. Tumours of others that share a label become a lesion each.
 /// @param codes what the file's numbers mean; empty: as above.
-/// @param left_liver taken, a liver that looks mirrored is a note, "liver.perhaps_mirrored".
+/// @param left_liver where it is taken, a liver that looks mirrored is a note, "liver.perhaps_mirrored".
 /// @return empty: cancelled.
 /// @throws InputError no parenchyma, nothing of the liver in any segment, another grid than the CT's, a liver
 ///   that looks mirrored; as read_labels(), read_dicom_labels().

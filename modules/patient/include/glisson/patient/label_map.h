@@ -85,10 +85,9 @@ bool looks_mirrored(const LabelVolume& labels);
 /// looks like the mirror image of another half: no shape tells the two apart, only a person does.
 enum class LeftLiver {
   refused,
-  taken  ///< a person says that it does lie there
+  taken,  ///< a person says that it does lie there; it is noted
+  asked   ///< a person has said so when asked about this very file, and is not told again
 };
-/// @param name of the file, for the message. @throws InputError it looks mirrored.
-void require_not_mirrored(const LabelVolume& labels, const std::string& name);
 
 /// A foreign label volume, recoded. Codes that the table does not name become background.
 /// @param name of the file, for messages.

@@ -16,7 +16,7 @@ struct ImportLabels {
   LabelCodes codes;
   /// The liver's shape is held against it, so that a mirrored one is told; null: it is not asked.
   std::shared_ptr<const atlas::Atlas> atlas = nullptr;
-  /// Taken, a liver that lies left of the vena cava is a note, "liver.perhaps_mirrored".
+  /// Where it is taken, a liver that lies left of the vena cava is a note, "liver.perhaps_mirrored".
   LeftLiver left_liver = LeftLiver::refused;
 
   CommandTraits traits() const;

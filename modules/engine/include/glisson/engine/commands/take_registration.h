@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "glisson/engine/command.h"
 #include "glisson/engine/parts/other_registration.h"
@@ -20,5 +21,9 @@ struct TakeRegistration {
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context,
                              const Services& services) const;
 };
+
+/// What whoever registers again goes over to unasked: a registration that is better by its evidence. Empty:
+/// the case holds none, it is no better, or it is the former one; that is left to a person.
+std::optional<TakeRegistration> take_if_better(const CaseState& state);
 
 }  // namespace glisson::engine

@@ -3,8 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <string>
-#include <vector>
 
 class QWidget;
 
@@ -12,11 +10,8 @@ namespace glisson::ui {
 
 /// Asks why the liver of a file lies left of the vena cava: after a right hepatectomy it does, in a mirrored
 /// image, too, and no shape tells the two apart. Does not stop the window.
-/// @param then is called where the person says that the liver was operated on. Else nothing is imported: that
-/// is the answer of Enter and Escape.
+/// @param then is called where the person says that the liver was operated on (LeftLiver::asked). Else
+/// nothing is imported: that is the answer of Enter and Escape.
 void ask_left_liver(QWidget* parent, const std::filesystem::path& path, const std::function<void()>& then);
-
-/// An import's notes without the one that this question has told before. The model tells it once more.
-std::vector<std::string> without_left_liver(std::vector<std::string> notes);
 
 }  // namespace glisson::ui

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "glisson/patient/label_map.h"
-#include "glisson/patient/label_sides.h"
+#include "glisson/patient/label_summary.h"
 
 class QComboBox;
 class QLabel;
@@ -27,7 +27,7 @@ struct FoundLabels {
   std::vector<FoundLabel> labels;
   /// No name says what a number stands for. Glisson's own plain files are so, and those of other programs.
   bool are_numbers = false;
-  LabelSides sides = {};  ///< of its voxels
+  LabelSummary summary = {};  ///< of its voxels
   /// Which of them is the liver has to be asked: the file does not say, or says numbers only.
   bool must_be_asked() const;
   /// What the codes mean by the file's own word.
