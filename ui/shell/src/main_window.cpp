@@ -33,6 +33,7 @@
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/left_liver_question.h"
+#include "glisson/ui/common/named_video_question.h"
 #include "glisson/ui/common/save_name.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/common/unit_question.h"
@@ -426,7 +427,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   // What is odd about a file is told before work on it begins; of a save or an export, what became otherwise.
   // A model has a sheet of its own for it.
   const bool has_sheet = outcome.traits.writes.has(part::model) && !outcome.traits.replaces_case();
-  const std::vector<std::string> notes = without_left_liver(outcome.notes);
+  const std::vector<std::string> notes = without_left_liver(ask_named_video(this, engine_, outcome));
   if (outcome.status == engine::Status::done && !notes.empty() && !has_sheet) show_problem(notes_text(notes));
 }
 
