@@ -137,11 +137,6 @@ bool stays_here(const VideoSource& video) {
   return all_stay_here(views_of(video)) && all_stay_here(described_by(video));
 }
 
-void remember(const VideoSource& video) {
-  Sources sources = views_of(video);
-  const Sources described = described_by(video);
-  sources.insert(sources.end(), described.begin(), described.end());
-  stereo::remember_sources(sources);
-}
+void remember(const VideoSource& video) { stereo::remember_sources(views_of(video)); }
 
 }  // namespace glisson::engine

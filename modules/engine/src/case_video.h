@@ -28,7 +28,8 @@ bool same_video(const VideoSource& a, const VideoSource& b);
 /// Whether neither view, nor what a description of them names, leads out of this computer.
 bool stays_here(const VideoSource& video);
 
-/// A case that a person saves is that person's: so is the video that it was worked on with.
+/// A case that is saved here is worked on here: its views count as chosen, so that it opens them from another
+/// folder, too. What descriptions name does not: they may have been changed since.
 void remember(const VideoSource& video);
 
 }  // namespace glisson::engine
