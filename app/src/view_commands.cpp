@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be looked at: render, overlay.
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "cli.h"
 #include "commands.h"
@@ -154,10 +156,13 @@ void open_with_video(const Arguments& arguments, Session& session) {
 
 /// @throws InputError the case names a video that nobody here has chosen.
 void require_chosen_video(const Arguments& arguments, const engine::CaseState& state) {
-  if (const auto& named = state[part::named_video]; named && !state[part::video])
-    throw InputError(arguments.path("case").string(), "video",
-                     "names pictures that nobody here has chosen (" + named->left.string() + ")",
-                     "Give them by --video, if you trust the case");
+  const std::vector<std::string> named = engine::named_sources(state);
+  if (named.empty() || state[part::video]) return;
+  QStringList sources;
+  for (const std::string& source : named) sources << QString::fromStdString(source);
+  throw InputError(arguments.path("case").string(), "video",
+                   "names pictures that nobody here has chosen (" + sources.join(", ").toStdString() + ")",
+                   "Give them by --video, if you trust the case");
 }
 
 /// What --track and --recording name, if they are given.

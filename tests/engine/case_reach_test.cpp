@@ -242,6 +242,11 @@ void CaseReachTest::ADescriptionOpensNothingThatNobodyHasChosen() {
   write_file_atomically(path / "film.mkv", std::string("x"));
   QVERIFY(opens(describe(path / "source.json", "film.mkv")));
   QVERIFY(only_names(describe(path / "source.json", "device:0")));
+  CaseState state;
+  const std::string note = lost_by(path, state);
+  QVERIFY2(note.find("source.json, device:0)") != std::string::npos, note.c_str());
+  QCOMPARE(named_sources(state).size(), std::size_t{2});
+  QCOMPARE(named_sources(state)[1], std::string("device:0"));
   QVERIFY(only_names(describe(path / "source.json", "/films/film.mkv")));
   stereo::remember_sources({"/films/film.mkv"});
   QVERIFY(opens(path));
@@ -249,6 +254,8 @@ void CaseReachTest::ADescriptionOpensNothingThatNobodyHasChosen() {
   const fs::path own = folder_->path() / "own.json";
   write_case(video("../own.json"));
   QVERIFY(only_names(describe(own, "/films/film.mkv")));
+  (void)lost_by(path, state);
+  QVERIFY2(named_sources(state).size() == 1, "what it holds is not read");
   stereo::remember_sources({own.string()});
   QVERIFY(opens(path));
   QVERIFY(only_names(describe(own, "/films/other.mkv")));

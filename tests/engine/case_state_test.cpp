@@ -25,6 +25,7 @@
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/moments.h"
+#include "glisson/engine/parts/named_video.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/other_registration.h"
@@ -37,7 +38,6 @@
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/engine/parts/tissue.h"
-#include "glisson/engine/parts/named_video.h"
 #include "glisson/engine/parts/video.h"
 
 using namespace glisson;

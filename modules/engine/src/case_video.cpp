@@ -85,12 +85,13 @@ Standing standing_of(const VideoSource& video, const VideoSource& as_written, co
 
 InputError refusal(const VideoSource& video, Standing standing, const CaseFolder& folder) {
   const std::string file = (folder.path / "case.json").string();
-  std::string views;
-  for (const std::string& view : views_of(video)) views += (views.empty() ? "" : ", ") + view.substr(0, 200);
+  std::string named;
+  for (const std::string& source : sources_named_by(video, folder.home))
+    named += (named.empty() ? "" : ", ") + source.substr(0, 200);
   if (standing == Standing::beyond)
-    return InputError(file, "video", "names a source outside this computer (" + views + ")",
+    return InputError(file, "video", "names a source outside this computer (" + named + ")",
                       "Choose the source again");
-  return InputError(file, "video", "names pictures that nobody here has chosen (" + views + ")",
+  return InputError(file, "video", "names pictures that nobody here has chosen (" + named + ")",
                     "Open them yourself if you trust the case");
 }
 
@@ -127,6 +128,16 @@ void read_video_entry(CaseState& state, const PartOf<VideoSource>& as, const jso
   if (folder.lost == nullptr) throw error;
   folder.lost->push_back(std::string("case.video_lost ") + error.what());
   if (standing == Standing::named) put(state, part::named_video, video, entry, folder);
+}
+
+Sources sources_named_by(const VideoSource& video, const fs::path& home) {
+  Sources sources = views_of(video);
+  for (const std::string& view : views_of(video)) {
+    if (stereo::is_live(view) || !lies_in_case(home, view)) continue;
+    const Sources described = described_by({view, {}});
+    sources.insert(sources.end(), described.begin(), described.end());
+  }
+  return sources;
 }
 
 bool same_video(const VideoSource& a, const VideoSource& b) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "glisson/engine/parts/video.h"
 
@@ -22,6 +25,10 @@ nlohmann::json video_entry(const VideoSource& video, const CaseFolder& folder);
 /// @throws InputError instead of the note, see CaseFolder::lost.
 void read_video_entry(CaseState& state, const PartOf<VideoSource>& as, const nlohmann::json& entry,
                       const CaseFolder& folder);
+
+/// What would be opened: the views, and what descriptions among them name that lie in the case's folder;
+/// others are not read. @param home that folder.
+std::vector<std::string> sources_named_by(const VideoSource& video, const std::filesystem::path& home);
 
 bool same_video(const VideoSource& a, const VideoSource& b);
 

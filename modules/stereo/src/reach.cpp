@@ -61,7 +61,7 @@ void write_list(const fs::path& list, const std::vector<std::string>& entries) {
   const fs::path folder = list.parent_path();
   if (fs::create_directories(folder)) fs::permissions(folder, fs::perms::owner_all);
   if (fs::exists(list)) fs::permissions(list, kOwn);  // what takes its place has the same
-  sweep_leftovers(folder);  // of programs that were killed at it
+  sweep_leftovers(folder);                            // of programs that were killed at it
   OutputFile file(list);
   fs::permissions(file.path(), kOwn);
   std::string lines;

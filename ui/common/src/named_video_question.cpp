@@ -5,9 +5,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStringList>
-#include <filesystem>
+#include <cstddef>
 #include <memory>
 
+#include "glisson/core/printable.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/named_video.h"
 #include "glisson/ui/common/engine_bridge.h"
@@ -20,18 +21,20 @@ class NamedVideoQuestion {
   Q_DECLARE_TR_FUNCTIONS(NamedVideoQuestion)
 };
 
-QString paths_of(const engine::VideoSource& video) {
-  QStringList paths;
-  for (const std::filesystem::path& view : {video.left, video.right})
-    if (!view.empty()) paths << QString::fromStdString(view.string());
-  return paths.join(QLatin1Char('\n'));
+/// One a line; what the case brought along must not look like words of the window.
+QString lines_of(const std::vector<std::string>& sources) {
+  constexpr std::size_t kLongest = 1000;
+  QStringList lines;
+  for (const std::string& source : sources) lines << QString::fromStdString(printable(source, kLongest));
+  return lines.join(QLatin1Char('\n'));
 }
 
-void ask(QWidget* parent, EngineBridge& engine, const std::shared_ptr<const engine::VideoSource>& named) {
+void ask(QWidget* parent, EngineBridge& engine) {
+  const std::shared_ptr<const engine::VideoSource> named = engine.state()[part::named_video];
   auto* box = new QMessageBox(
       QMessageBox::Question, NamedVideoQuestion::tr("Pictures named by the case"),
       NamedVideoQuestion::tr("The case names these pictures. It chose them, nobody on this computer has:") +
-          QStringLiteral("\n\n") + paths_of(*named),
+          QStringLiteral("\n\n") + lines_of(engine::named_sources(engine.state())),
       QMessageBox::NoButton, parent);
   box->setTextFormat(Qt::PlainText);
   box->setObjectName(QStringLiteral("named_video_question"));
@@ -61,7 +64,7 @@ std::vector<std::string> ask_named_video(QWidget* parent, EngineBridge& engine,
   if (outcome.status != engine::Status::done || !outcome.traits.replaces_case() || !named ||
       !engine::is_there(*named))
     return notes;
-  ask(parent, engine, named);
+  ask(parent, engine);
   std::erase_if(notes, [](const std::string& note) { return note.starts_with("case.video_lost "); });
   return notes;
 }

@@ -35,6 +35,11 @@ const PartOf<VideoSource> part::named_video{{.code = "named_video",
                                              .stands_alone = true,
                                              .is_input = false}};
 
+std::vector<std::string> named_sources(const CaseState& state) {
+  const auto& named = state[part::named_video];
+  return named ? sources_named_by(*named, state.path) : std::vector<std::string>();
+}
+
 bool is_there(const VideoSource& video) {
   for (const fs::path& view : {video.left, video.right}) {
     const std::string source = view.string();
