@@ -1128,6 +1128,22 @@
         <translation>nennt eine Quelle außerhalb dieses Rechners (%1)</translation>
     </message>
     <message>
+        <source>names pictures that nobody here has chosen (%1)</source>
+        <translation>nennt Bilder, die hier niemand gewählt hat (%1)</translation>
+    </message>
+    <message>
+        <source>Choose the source again</source>
+        <translation>Die Quelle noch einmal wählen</translation>
+    </message>
+    <message>
+        <source>Open them yourself if you trust the case</source>
+        <translation>Sie selbst öffnen, wenn dem Fall zu trauen ist</translation>
+    </message>
+    <message>
+        <source>Give them by --video, if you trust the case</source>
+        <translation>Sie mit --video angeben, wenn dem Fall zu trauen ist</translation>
+    </message>
+    <message>
         <source>Enter that source yourself where pictures are opened, if you trust it</source>
         <translation>Diese Quelle selbst eingeben, wo Bilder geöffnet werden, wenn ihr zu trauen ist</translation>
     </message>
@@ -6083,6 +6099,29 @@
     </message>
 </context>
 <context>
+    <name>NamedVideoQuestion</name>
+    <message>
+        <source>Pictures named by the case</source>
+        <translation>Bilder, die der Fall nennt</translation>
+    </message>
+    <message>
+        <source>The case names these pictures. It chose them, nobody on this computer has:</source>
+        <translation>Der Fall nennt diese Bilder. Er hat sie gewählt, an diesem Rechner hat es niemand getan:</translation>
+    </message>
+    <message>
+        <source>Open them only if you trust the case. Left out, they stay named in the case, and you can open pictures at any time (Stereo &gt; Open).</source>
+        <translation>Öffnen Sie sie nur, wenn Sie dem Fall trauen. Weggelassen bleiben sie im Fall genannt, und Sie können jederzeit Bilder öffnen (Stereo &gt; Öffnen).</translation>
+    </message>
+    <message>
+        <source>Open the pictures</source>
+        <translation>Die Bilder öffnen</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Sie weglassen</translation>
+    </message>
+</context>
+<context>
     <name>LesionTexts</name>
     <message>
         <source>shown</source>
@@ -6400,8 +6439,8 @@
         <translation>Um %1 HU verschoben, enthielte das Volumen Luft und Weichgewebe wie ein CT: Der Achsenabschnitt (Intercept) des Scanners ging wahrscheinlich verloren oder wurde doppelt addiert. Vertrauen Sie dem nicht, was aus solchen Werten segmentiert wird.</translation>
     </message>
     <message>
-        <source>The case was opened without its video: it names a source outside this computer, which only you may open. (%*)</source>
-        <translation>Der Fall wurde ohne sein Video geöffnet: Er nennt eine Quelle außerhalb dieses Rechners, die nur Sie öffnen dürfen. (%*)</translation>
+        <source>The case was opened without its video, which the case has chosen and nobody here. If you trust it, open it yourself (Stereo &gt; Open; on the command line --video of render and overlay). (%*)</source>
+        <translation>Der Fall wurde ohne sein Video geöffnet, das der Fall gewählt hat und niemand hier. Öffnen Sie es selbst, wenn Sie ihm trauen (Stereo &gt; Öffnen; auf der Kommandozeile --video von render und overlay). (%*)</translation>
     </message>
     <message>
         <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
@@ -6873,6 +6912,10 @@
     <message>
         <source>The case has no stereo video (Stereo, Video…).</source>
         <translation>Der Fall hat kein Stereovideo (Stereo, Video…).</translation>
+    </message>
+    <message>
+        <source>The case names no pictures that nobody here has chosen.</source>
+        <translation>Der Fall nennt keine Bilder, die hier niemand gewählt hat.</translation>
     </message>
     <message>
         <source>Load a stereo pair or a video frame first.</source>
@@ -8394,6 +8437,10 @@
     <message>
         <source>Follows the case&apos;s video and records it with vessels and tumours drawn in.</source>
         <translation>Folgt dem Video des Falls und zeichnet es mit Gefäßen und Tumoren auf.</translation>
+    </message>
+    <message>
+        <source>The case&apos;s video, where it is opened without it: it lies outside of the case, and nobody here has chosen it yet.</source>
+        <translation>Das Video des Falls, wo er ohne es geöffnet wird: Es liegt außerhalb des Falls, und hier hat es noch niemand gewählt.</translation>
     </message>
     <message>
         <source>Record only so many frames.</source>

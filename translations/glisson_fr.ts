@@ -1128,6 +1128,22 @@
         <translation>désigne une source hors de cet ordinateur (%1)</translation>
     </message>
     <message>
+        <source>names pictures that nobody here has chosen (%1)</source>
+        <translation>désigne des images que personne n’a choisies ici (%1)</translation>
+    </message>
+    <message>
+        <source>Choose the source again</source>
+        <translation>Choisir de nouveau la source</translation>
+    </message>
+    <message>
+        <source>Open them yourself if you trust the case</source>
+        <translation>Les ouvrir soi-même si le cas est de confiance</translation>
+    </message>
+    <message>
+        <source>Give them by --video, if you trust the case</source>
+        <translation>Les donner par --video si le cas est de confiance</translation>
+    </message>
+    <message>
         <source>Enter that source yourself where pictures are opened, if you trust it</source>
         <translation>Saisir soi-même cette source là où l&apos;on ouvre les images, si elle est de confiance</translation>
     </message>
@@ -6083,6 +6099,29 @@
     </message>
 </context>
 <context>
+    <name>NamedVideoQuestion</name>
+    <message>
+        <source>Pictures named by the case</source>
+        <translation>Images désignées par le cas</translation>
+    </message>
+    <message>
+        <source>The case names these pictures. It chose them, nobody on this computer has:</source>
+        <translation>Le cas désigne ces images. C’est lui qui les a choisies, personne sur cet ordinateur :</translation>
+    </message>
+    <message>
+        <source>Open them only if you trust the case. Left out, they stay named in the case, and you can open pictures at any time (Stereo &gt; Open).</source>
+        <translation>Ne les ouvrez que si vous faites confiance au cas. Laissées de côté, elles restent désignées dans le cas, et vous pouvez ouvrir des images à tout moment (Stéréo &gt; Ouvrir).</translation>
+    </message>
+    <message>
+        <source>Open the pictures</source>
+        <translation>Ouvrir les images</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>Les laisser de côté</translation>
+    </message>
+</context>
+<context>
     <name>LesionTexts</name>
     <message>
         <source>shown</source>
@@ -6400,8 +6439,8 @@
         <translation>Décalé de %1 HU, le volume contiendrait de l&apos;air et des tissus mous, comme un scanner : l&apos;ordonnée à l&apos;origine (intercept) a sans doute été perdue ou ajoutée deux fois. Ne vous fiez pas à ce qui est segmenté de telles valeurs.</translation>
     </message>
     <message>
-        <source>The case was opened without its video: it names a source outside this computer, which only you may open. (%*)</source>
-        <translation>Le cas a été ouvert sans sa vidéo : il désigne une source hors de cet ordinateur, que vous seul pouvez ouvrir. (%*)</translation>
+        <source>The case was opened without its video, which the case has chosen and nobody here. If you trust it, open it yourself (Stereo &gt; Open; on the command line --video of render and overlay). (%*)</source>
+        <translation>Le cas a été ouvert sans sa vidéo, que le cas a choisie et personne ici. Si vous lui faites confiance, ouvrez-la vous-même (Stéréo &gt; Ouvrir ; en ligne de commande --video de render et overlay). (%*)</translation>
     </message>
     <message>
         <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
@@ -6873,6 +6912,10 @@
     <message>
         <source>The case has no stereo video (Stereo, Video…).</source>
         <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
+    </message>
+    <message>
+        <source>The case names no pictures that nobody here has chosen.</source>
+        <translation>Le cas ne désigne aucune image que personne n’a choisie ici.</translation>
     </message>
     <message>
         <source>Load a stereo pair or a video frame first.</source>
@@ -8394,6 +8437,10 @@
     <message>
         <source>Follows the case&apos;s video and records it with vessels and tumours drawn in.</source>
         <translation>Suit la vidéo du cas et l&apos;enregistre avec vaisseaux et tumeurs dessinés.</translation>
+    </message>
+    <message>
+        <source>The case&apos;s video, where it is opened without it: it lies outside of the case, and nobody here has chosen it yet.</source>
+        <translation>La vidéo du cas, là où il est ouvert sans elle : elle se trouve hors du cas et personne ne l’a encore choisie ici.</translation>
     </message>
     <message>
         <source>Record only so many frames.</source>

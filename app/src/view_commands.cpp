@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be looked at: render, overlay.
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "cli.h"
 #include "commands.h"
+#include "glisson/core/error.h"
 #include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/named_video.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/guidance/lesion_meter.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/patient/told_overlay.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/reach.h"
 #include "glisson/ui/scene/model_surfaces.h"
 #include "glisson/ui/scene/montage.h"
 #include "live_overlay.h"
@@ -124,6 +130,41 @@ void declare_track(Arguments& arguments) {
       "V");
 }
 
+void declare_case(Arguments& arguments) {
+  arguments.option("case", Cli::tr("The case's folder, NAME.glisson, with a registration and a video."),
+                   "CASE");
+  arguments.option(
+      "video",
+      Cli::tr("The case's video, where it is opened without it: it lies outside of the case, and "
+              "nobody here has chosen it yet."),
+      "V");
+  arguments.option("video-right", Cli::tr("The right view, when it is a file of its own."), "V");
+}
+
+/// For reading. The person's own word on the video comes first, so that the case opens with it; it holds,
+/// too, where the video lies elsewhere now, or nothing can be remembered.
+void open_with_video(const Arguments& arguments, Session& session) {
+  arguments.refuse_without("video", {"video-right"});
+  const std::filesystem::path left = arguments.path("video"), right = arguments.path("video-right");
+  stereo::remember_sources({left.string(), right.string()});
+  session.call("case", arguments.required_path("case").string());
+  session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
+  const auto& held = session.state()[part::video];
+  if (arguments.has("video") && !(held && is_same_place(held->left, left)))
+    session.post(engine::SetVideo{left, right});
+}
+
+/// @throws InputError the case names a video that nobody here has chosen.
+void require_chosen_video(const Arguments& arguments, const engine::CaseState& state) {
+  const std::vector<std::string> named = engine::named_sources(state);
+  if (named.empty() || state[part::video]) return;
+  QStringList sources;
+  for (const std::string& source : named) sources << QString::fromStdString(source);
+  throw InputError(arguments.path("case").string(), "video",
+                   "names pictures that nobody here has chosen (" + sources.join(", ").toStdString() + ")",
+                   "Give them by --video, if you trust the case");
+}
+
 /// What --track and --recording name, if they are given.
 struct Replayed {
   std::optional<TrackReplay> track;
@@ -133,6 +174,7 @@ struct Replayed {
     const bool is_recorded = arguments.has("recording");
     if (is_recorded && !arguments.has("track"))
       throw UsageError("--recording: needs what was known. Give --track NAME.frames.jsonl.");
+    if (!is_recorded) require_chosen_video(arguments, session.state());
     if (is_recorded)
       video = {arguments.path("recording"), {}};
     else if (session.state()[part::video])
@@ -163,8 +205,7 @@ int run_render(const QStringList& given) {
       Cli::tr(
           "Draws one frame of the case's video with vessels and tumours, followed from the registered frame. "
           "Where the position is not known, the picture says so and shows no overlay."));
-  arguments.option("case", Cli::tr("The case's folder, NAME.glisson, with a registration and a video."),
-                   "CASE");
+  declare_case(arguments);
   arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
   arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
   declare_look(arguments, true);
@@ -180,8 +221,7 @@ int run_render(const QStringList& given) {
   const Question question(arguments);
   const scene::OverlayStyle style = style_of(arguments, true);
   Session session(arguments);
-  session.call("case", arguments.required_path("case").string());
-  session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
+  open_with_video(arguments, session);
   require_lesion(question.lesion, session.state());
   Picture picture;
   const Replayed replayed(arguments, session);
@@ -212,8 +252,7 @@ int run_render(const QStringList& given) {
 int run_overlay(const QStringList& given) {
   Arguments arguments("overlay",
                       Cli::tr("Follows the case's video and records it with vessels and tumours drawn in."));
-  arguments.option("case", Cli::tr("The case's folder, NAME.glisson, with a registration and a video."),
-                   "CASE");
+  declare_case(arguments);
   arguments.option("frames", Cli::tr("Record only so many frames."), "N");
   arguments.option("out", Cli::tr("The video (.mkv)."), "overlay.mkv");
   declare_look(arguments);
@@ -224,8 +263,7 @@ int run_overlay(const QStringList& given) {
   scene::OverlayInterest interest;
   interest.lesion = Question(arguments, false).lesion;
   Session session(arguments);
-  session.call("case", arguments.required_path("case").string());
-  session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
+  open_with_video(arguments, session);
   require_lesion(interest.lesion, session.state());
   const Replayed replayed(arguments, session);
   if (!arguments.has("recording")) session.need({part::video});

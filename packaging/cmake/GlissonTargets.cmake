@@ -100,7 +100,7 @@ function(glisson_test)
     set(ARG_TIMEOUT 300)
   endif()
   set(environment "GLISSON_SOURCE_DIR=${PROJECT_SOURCE_DIR}" "OPENBLAS_NUM_THREADS=1" "LC_ALL=C.UTF-8"
-    "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state")  # never the person's own
+    "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state/${ARG_NAME}")  # never the person's own
   if(GLISSON_SANITIZER OR GLISSON_COVERAGE)
     # Instrumented code is 3 to 30 times slower.
     math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")

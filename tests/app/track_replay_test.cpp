@@ -49,6 +49,7 @@ class TrackReplayTest : public QObject, private test::Program {
   void initTestCase();
   void cleanupTestCase() { remove_folder(); }
 
+  void AVideoThatNobodyHasChosenIsGivenByThePerson();
   void RenderDrawsWhatTheTrackKnew_data();
   void RenderDrawsWhatTheTrackKnew();
   void OverlayDrawsTheWholeFilmAgain();
@@ -127,6 +128,8 @@ void TrackReplayTest::initTestCase() {
   QVERIFY(script_->run(engine::SetVideo{at("film.mkv"), {}}));
   QVERIFY(script_->run(engine::SetCalibration{at("c.yaml")}));
   QVERIFY(script_->run(engine::SaveCase{at("a.glisson")}));
+  fs::create_directories(state());  // the program has a list of its own
+  test::write_text(state() / "known_sources", fs::canonical(at("film.mkv")).string() + "\n");
   stereo::StereoVideo video(at("film.mkv"));
   for (StereoFrame frame; video.read(frame);) film_.push_back(frame);
   QCOMPARE(film_.size(), static_cast<std::size_t>(kFrames));
@@ -150,6 +153,21 @@ void TrackReplayTest::initTestCase() {
   }
   test::write_text(at("tracked/frames.jsonl"), lines + overlay_record_end(true, kFrames) + "\n");
   script_->run(engine::OpenCase{at("a.glisson"), engine::OpenCase::Access::read});
+}
+
+void TrackReplayTest::AVideoThatNobodyHasChosenIsGivenByThePerson() {
+  const QStringList render = {"render", "--case", "a.glisson", "--track", "tracked", "--frame", "0", "--out"};
+  const QString refusal = QStringLiteral("film.mkv). Give them by --video");
+  fs::remove(state() / "known_sources");
+  refused(render + QStringList{"first.png"}, refusal);
+  refused({"overlay", "--case", "a.glisson", "--track", "tracked", "--out", "first.mkv"}, refusal);
+  refused(render + QStringList{"first.png", "--video-right", "film.mkv"}, "--video", 2);
+  const Ran given = run(render + QStringList{"first.png", "--video", "film.mkv"});
+  QVERIFY2(given.code == 0, qPrintable(given.error));
+  QVERIFY2(!(given.error + given.out).contains("without its video"), qPrintable(given.error + given.out));
+  const Ran known = run(render + QStringList{"second.png"});
+  QVERIFY2(known.code == 0, qPrintable(known.error));
+  QCOMPARE(read_file(at("second.png")), read_file(at("first.png")));
 }
 
 void TrackReplayTest::RenderDrawsWhatTheTrackKnew_data() {

@@ -25,6 +25,7 @@
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/moments.h"
+#include "glisson/engine/parts/named_video.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/other_registration.h"
@@ -68,6 +69,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::proposals] = std::make_shared<atlas::Transfer>();
   full[part::rig] = std::make_shared<StereoRig>();
   full[part::video] = std::make_shared<VideoSource>();
+  full[part::named_video] = std::make_shared<VideoSource>();
   full[part::frame] = std::make_shared<StereoInput>();
   full[part::regions] = std::make_shared<stereo::Regions>();
   full[part::cloud] = std::make_shared<LabelledCloud>();

@@ -78,7 +78,9 @@ void picture(std::string_view bytes) {
 }
 void video(std::string_view bytes) {
   read_file_of("a.mkv", bytes, [](const fs::path& path) {
-    stereo::StereoVideo video(path);
+    stereo::SourceOptions options;
+    options.left = path.string();
+    stereo::StereoVideo video(options);  // by its path it would be remembered
     int frames = 0;
     for (StereoFrame frame; frames < 5 && video.read(frame); ++frames)
       must(frame.left.width == video.width() && frame.right.height == video.height(),

@@ -2,13 +2,21 @@
 #include "glisson/stereo/reach.h"
 
 #include <QTest>
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "complaint.h"
 #include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/source.h"
+#include "state_folder.h"
 
 using namespace glisson;
 using namespace glisson::stereo;
+namespace fs = std::filesystem;
 
 class ReachTest : public QObject {
   Q_OBJECT
@@ -27,8 +35,7 @@ class ReachTest : public QObject {
   /// What a description names may have come from anywhere; what a person has entered once, has not.
   void DescriptionsReachOutToWhatAPersonHasEnteredOnly() {
     const TemporaryFolder folder;
-    const QByteArray before = qgetenv("XDG_STATE_HOME");
-    qputenv("XDG_STATE_HOME", QByteArray::fromStdString(folder.path().string()));
+    const test::StateFolder state;
     const auto told = [&folder](const std::string& left) {
       write_file_atomically(folder.path() / "s.json", "{\"left\": \"" + left + "\"}");
       return test::complaint<Error>([&] { StereoVideo video(folder.path() / "s.json"); });
@@ -37,7 +44,7 @@ class ReachTest : public QObject {
     for (const char* source : {"device:http://127.0.0.1:1/x", "igtl:127.0.0.1:1/Left,Right",
                                "device:fakesrc ! appsink", "device:/no/such/list.m3u8"}) {
       QVERIFY2(told(source).find(refusal) != std::string::npos, source);
-      remember_source(source);
+      remember_sources({source});
       const std::string now = told(source);
       QVERIFY2(!now.empty() && now.find(refusal) == std::string::npos, now.c_str());
     }
@@ -46,7 +53,81 @@ class ReachTest : public QObject {
     QVERIFY(told("device:http://127.0.0.1:2/x").find(refusal) == std::string::npos);
     QVERIFY(told("device:http://127.0.0.1:3/x").find(refusal) != std::string::npos);
     QVERIFY(told("device:98").find(refusal) == std::string::npos);  // a camera of this computer
-    before.isNull() ? qunsetenv("XDG_STATE_HOME") : qputenv("XDG_STATE_HOME", before);
+  }
+
+  void WhatWasEnteredIsListedOnceTheLatestLast() {
+    const test::StateFolder state;
+    QVERIFY(!is_entered("device:0"));
+    remember_sources({"device:0", "igtl:127.0.0.1:1/L,R"});
+    remember_sources({"device:1", ""});
+    remember_sources({"device:0", "two\nlines"});
+    QCOMPARE(read_file(state.path() / "known_sources"),
+             std::string("igtl:127.0.0.1:1/L,R\ndevice:1\ndevice:0\n"));
+    QVERIFY(is_entered("device:1") && is_entered("device:0") && !is_entered("device:2") && !is_entered(""));
+    std::vector<std::string> cameras;
+    for (int camera = 0; camera < 1000; ++camera) cameras.push_back("device:" + std::to_string(camera));
+    remember_sources(cameras);
+    const std::string list = read_file(state.path() / "known_sources");
+    QCOMPARE(std::count(list.begin(), list.end(), '\n'), std::ptrdiff_t{1000});
+    QVERIFY2(list.starts_with("device:0\n") && list.ends_with("\ndevice:999\n"), "the oldest has gone");
+  }
+
+  void AFileIsTheSameHoweverItIsReached() {
+    const test::StateFolder state;
+    const TemporaryFolder folder;
+    const fs::path real = fs::canonical(folder.path());
+    fs::create_directory(real / "films");
+    write_file_atomically(real / "films/a.mkv", std::string("x"));
+    fs::create_directory_symlink("films", real / "link");
+    remember_sources({(real / "films/../link/a.mkv").string(), (real / "films/").string(),
+                      (real / "films/left_*.png").string(), (real / "gone/b.mkv").string()});
+    QCOMPARE(read_file(state.path() / "known_sources"),
+             (real / "films/a.mkv").string() + '\n' + (real / "films").string() + '\n' +
+                 (real / "films/left_*.png").string() + '\n' + (real / "gone/b.mkv").string() + '\n');
+    for (const char* name : {"films/a.mkv", "link/a.mkv", "films", "link/", "link/left_*.png", "gone/b.mkv"})
+      QVERIFY2(is_entered((real / name).string()), name);
+    for (const char* name : {"films/b.mkv", "link/right_*.png", "gone"})
+      QVERIFY2(!is_entered((real / name).string()), name);
+  }
+
+  void TheListIsTheUsersOwn() {
+    const test::StateFolder state;
+    const auto mode = [](const fs::path& path) { return fs::status(path).permissions(); };
+    constexpr fs::perms kOwn = fs::perms::owner_read | fs::perms::owner_write;
+    remember_sources({"device:0"});
+    QVERIFY(mode(state.path()) == fs::perms::owner_all);
+    QVERIFY(mode(state.path() / "known_sources") == kOwn);
+    // Of an earlier edition, which others may have read.
+    fs::permissions(state.path() / "known_sources", kOwn | fs::perms::group_read | fs::perms::others_read);
+    remember_sources({"device:1"});
+    QVERIFY(mode(state.path() / "known_sources") == kOwn);
+  }
+
+  void WhereItCannotBeWrittenWorkGoesOn() {
+    const test::StateFolder state;
+    write_file_atomically(state.path(), std::string("no folder"));
+    remember_sources({"device:0"});
+    QVERIFY(!is_entered("device:0"));
+    QCOMPARE(read_file(state.path()), std::string("no folder"));
+  }
+
+  void OpeningAndDescribingEnter() {
+    const test::StateFolder state;
+    const TemporaryFolder folder;
+    const auto at = [&folder](const char* name) { return (folder.path() / name).string(); };
+    QVERIFY(!test::complaint<Error>([&] { StereoVideo video(at("l.mkv"), at("r.mkv")); }).empty());
+    QVERIFY(is_entered(at("l.mkv")) && is_entered(at("r.mkv")));
+    // A description that was made here, and what it names relative to itself.
+    SourceOptions options;
+    options.left = "made.mkv";
+    write_source(at("made.json"), options);
+    QVERIFY(is_entered(at("made.json")) && is_entered(at("made.mkv")));
+    // One from elsewhere is chosen by opening it, not by reading it.
+    write_file_atomically(at("got.json"), std::string(R"({"left": "got.mkv"})"));
+    (void)read_source(at("got.json"));
+    QVERIFY(!is_entered(at("got.json")) && !is_entered(at("got.mkv")));
+    QVERIFY(!test::complaint<Error>([&] { StereoVideo video(at("got.json")); }).empty());
+    QVERIFY(is_entered(at("got.json")) && is_entered(at("got.mkv")));
   }
 
   void PicturesAreAskedForTheirSizeFirst_data() {

@@ -44,6 +44,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/moments.h"
+#include "glisson/engine/parts/named_video.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/registration.h"
@@ -343,6 +344,7 @@ bool FakeOperation::change(engine::Applied& applied, const engine::SetCalibratio
 
 bool FakeOperation::change(engine::Applied& applied, const engine::SetVideo&, const RunContext&) const {
   applied.state[part::video] = std::make_shared<const engine::VideoSource>(engine::VideoSource{video, {}});
+  applied.state[part::named_video] = nullptr;
   return true;
 }
 

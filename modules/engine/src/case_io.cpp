@@ -45,18 +45,29 @@ void add_unsaid(Stamp& stamp, Part part) {
 }
 
 Stamp read_stamp(const fs::path& folder, const json& entry, Part of) {
-  constexpr double kMost = 9007199254740992.0;  // doubles count so far
   Stamp stamp;
-  stamp.revision = ranged<std::uint64_t>(folder, entry, "revision", 0.0, kMost);
+  stamp.revision = ranged<std::uint64_t>(folder, entry, "revision", 0.0, kMostRevisions);
   if (of.type().spec().stands_alone) return stamp;  // earlier programs wrote from what
   for (const Part part : all_parts()) {
     const json& inputs = entry.at("made_from");
     const std::string code(part.code());
     if (inputs.contains(code))
-      stamp.made_from[part] = ranged<std::uint64_t>(folder, inputs, code.c_str(), 0.0, kMost);
+      stamp.made_from[part] = ranged<std::uint64_t>(folder, inputs, code.c_str(), 0.0, kMostRevisions);
   }
   add_unsaid(stamp, of);
   return stamp;
+}
+
+/// Frees a part of inputs that the case names as it was made from them, and was opened without
+/// (PartSpec::outlives).
+void free_of_left_out(const fs::path& folder, const json& parts, Part of, CaseState& state) {
+  auto& made_from = state.stamp(of).made_from;
+  for (const Part input : of.type().spec().outlives) {
+    const auto entry = parts.find(input.code());
+    const auto then = made_from.find(input);
+    if (state.has(input) || entry == parts.end() || then == made_from.end()) continue;
+    if (read_stamp(folder, *entry, input).revision == then->second) made_from.erase(then);
+  }
 }
 
 /// Writes the files of every part that there is. @return case.json, or nothing when cancelled.
@@ -175,7 +186,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   fs::create_directory(fresh);
   if (fs::exists(path)) fs::permissions(fresh, fs::status(path).permissions());
   const Parts taken_over = saved.take_over(state, path, fresh);
-  auto document = write_parts({fresh, path, context, nullptr}, state, taken_over);
+  auto document = write_parts({fresh, path, context}, state, taken_over);
   if (!document) return false;
   (*document)["files"] = list_files(fresh);
   write_json(fresh / kCaseFile, *document);
@@ -227,7 +238,7 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
                        "Open it with a newer Glisson");
     CaseState state;
     state.path = fs::absolute(given).lexically_normal();
-    CaseFolder folder{path, home.empty() ? path : home, context, lost};
+    CaseFolder folder{path, home.empty() ? path : home, context, lost, known.state != nullptr};
     const json& parts = document.at("parts");
     double done = 0.0;
     for (const Part part : all_parts()) {
@@ -242,7 +253,9 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
       else
         part.type().spec().load(state, *entry, folder);
       if (context.cancelled()) return {};
-      if (state.has(part)) state.stamp(part) = read_stamp(path, *entry, part);
+      if (!state.has(part)) continue;
+      state.stamp(part) = read_stamp(path, *entry, part);
+      free_of_left_out(path, parts, part, state);
     }
     if (lost != nullptr)
       for (const std::string& changed : changed_files(path, document))

@@ -32,6 +32,16 @@ void require_own(const fs::path& path, const fs::path& root) {
   }
 }
 
+/// The same of a folder with all that is in it.
+void require_all_own(const fs::path& path, const fs::path& root, std::error_code& failure) {
+  std::error_code absent;
+  require_own(path, root);
+  if (!fs::is_directory(path, absent)) return;
+  fs::recursive_directory_iterator entry(path, failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure))
+    require_own(entry->path(), root);
+}
+
 }  // namespace
 
 fs::path file_of_case(const fs::path& folder, const char* field, const std::string& named) {
@@ -51,14 +61,23 @@ void require_own_files(const fs::path& folder) {
   for (const fs::path file : files_of_parts()) names.insert(*file.begin());  // a file, or its folder
   for (const fs::path& name : names) {
     if (failure) break;
-    std::error_code absent;
-    require_own(root / name, root);
-    if (!fs::is_directory(root / name, absent)) continue;
-    fs::recursive_directory_iterator entry(root / name, failure);
-    for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure))
-      require_own(entry->path(), root);
+    require_all_own(root / name, root, failure);
   }
   if (failure) throw FileError(sentence_of(fs::filesystem_error("", folder, failure)));
+}
+
+bool lies_in_case(const fs::path& folder, const fs::path& place) {
+  std::error_code failure;
+  const fs::path root = fs::canonical(folder, failure);
+  if (failure) return false;
+  const fs::path real = fs::canonical(place, failure);
+  if (failure || !is_below(real, root)) return false;
+  try {
+    require_all_own(real, root, failure);
+  } catch (const InputError&) {
+    return false;
+  }
+  return !failure;
 }
 
 }  // namespace glisson::engine

@@ -18,4 +18,8 @@ std::filesystem::path file_of_case(const std::filesystem::path& folder, const ch
 ///   neither a file nor a folder (a pipe would never end, a device would be switched on).
 void require_own_files(const std::filesystem::path& folder);
 
+/// Whether a file, or a folder with all that is in it, really lies below a case's folder: no link leads out,
+/// and no pipe or device lies there. False where it does not exist.
+bool lies_in_case(const std::filesystem::path& folder, const std::filesystem::path& place);
+
 }  // namespace glisson::engine

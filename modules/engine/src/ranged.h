@@ -12,6 +12,9 @@
 
 namespace glisson::engine {
 
+/// Revisions are numbers of case.json, and those are read as doubles, which count so far.
+inline constexpr double kMostRevisions = 9007199254740992.0;
+
 /// A number of case.json between its bounds: a larger one would wrap, and mean something else.
 /// @throws InputError it is missing, no number, not whole where it must be, or out of range.
 template <class Number>

@@ -2,14 +2,17 @@
 #include "glisson/stereo/reach.h"
 
 #include <algorithm>
-#include <set>
+#include <cstddef>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
+#include "glisson/core/output_file.h"
 #include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
@@ -27,17 +30,44 @@ fs::path list_of_sources() {
   return folder.empty() ? fs::path() : folder / "known_sources";
 }
 
-std::set<std::string> entered_sources() {
-  std::set<std::string> sources;
+/// The latest last.
+std::vector<std::string> entered_sources() {
+  std::vector<std::string> sources;
   std::error_code ignored;
   if (!fs::is_regular_file(list_of_sources(), ignored)) return sources;
   try {
     std::istringstream lines(read_file(list_of_sources()));
-    for (std::string line; std::getline(lines, line);) sources.insert(line);
+    for (std::string line; std::getline(lines, line);) sources.push_back(line);
   } catch (const FileError&) {
     sources.clear();  // not readable: nobody has entered anything
   }
   return sources;
+}
+
+/// As the list names it: a file by where it really is, so that it does not matter how it was reached.
+std::string entry_of(const std::string& source) {
+  if (is_live(source) || !stays_here(source)) return source;
+  std::error_code failure;
+  const fs::path whole = fs::absolute(source, failure);
+  if (failure) return source;
+  const fs::path real = fs::weakly_canonical(whole, failure);
+  const fs::path path = failure ? whole.lexically_normal() : real;
+  return (path.has_filename() ? path : path.parent_path()).string();  // a folder with or without its slash
+}
+
+/// Only the user's own, from its first byte on. @throws FileError, std::filesystem::filesystem_error.
+void write_list(const fs::path& list, const std::vector<std::string>& entries) {
+  constexpr fs::perms kOwn = fs::perms::owner_read | fs::perms::owner_write;
+  const fs::path folder = list.parent_path();
+  if (fs::create_directories(folder)) fs::permissions(folder, fs::perms::owner_all);
+  if (fs::exists(list)) fs::permissions(list, kOwn);  // what takes its place has the same
+  sweep_leftovers(folder);                            // of programs that were killed at it
+  OutputFile file(list);
+  fs::permissions(file.path(), kOwn);
+  std::string lines;
+  for (const std::string& entry : entries) lines += entry + '\n';
+  file.write(lines);
+  file.commit();
 }
 
 }  // namespace
@@ -51,24 +81,35 @@ bool stays_here(std::string_view source) {
   return is_number(device) || (device.starts_with(kNode) && is_number(device.substr(kNode.size())));
 }
 
-void remember_source(const std::string& source) {
-  if (stays_here(source) || list_of_sources().empty() || source.find('\n') != std::string::npos) return;
-  std::set<std::string> sources = entered_sources();
-  if (!sources.insert(source).second) return;
-  std::string lines;
-  for (const std::string& one : sources) lines += one + '\n';
+void remember_sources(const std::vector<std::string>& sources) {
+  constexpr std::ptrdiff_t kMost = 1000;
+  if (list_of_sources().empty()) return;
+  const std::vector<std::string> before = entered_sources();
+  std::vector<std::string> now = before;
+  for (const std::string& source : sources) {
+    const std::string entry = source.empty() ? source : entry_of(source);
+    if (entry.empty() || entry.find('\n') != std::string::npos) continue;
+    std::erase(now, entry);
+    now.push_back(entry);
+  }
+  if (std::ssize(now) > kMost) now.erase(now.begin(), now.end() - kMost);
+  if (now == before) return;
   try {
-    fs::create_directories(list_of_sources().parent_path());
-    write_file_atomically(list_of_sources(), lines);
+    write_list(list_of_sources(), now);
   } catch (const std::exception&) {
     return;  // it is asked for again
   }
 }
 
+bool is_entered(const std::string& source) {
+  const std::vector<std::string> entered = entered_sources();
+  return std::find(entered.begin(), entered.end(), entry_of(source)) != entered.end();
+}
+
 SourceOptions read_entered_source(const fs::path& path) {
   SourceOptions options = read_source(path);
   for (const auto& [field, source] : {std::pair("left", options.left), std::pair("right", options.right)})
-    if (!stays_here(source) && !entered_sources().contains(source))
+    if (!stays_here(source) && !is_entered(source))
       throw InputError(path.string(), field,
                        "names a source outside this computer (" + source.substr(0, 200) + ")",
                        "Enter that source yourself where pictures are opened, if you trust it");

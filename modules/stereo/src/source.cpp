@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
@@ -27,6 +28,12 @@ constexpr std::pair<const char*, Layout> kLayouts[] = {{"side_by_side", Layout::
                                                        {"row_interleaved", Layout::row_interleaved},
                                                        {"separate", Layout::separate}};
 
+/// What a description that lies in a folder names: paths are relative to it.
+std::string source_in(const fs::path& folder, const std::string& named) {
+  if (named.empty() || is_live(named) || fs::path(named).is_absolute()) return named;
+  return (folder / named).string();
+}
+
 /// The fields of a description, each checked.
 class Fields {
  public:
@@ -41,9 +48,7 @@ class Fields {
   std::string source(const char* key) const {
     if (!json_.contains(key)) return {};
     if (!json_[key].is_string()) refuse(key, "is no text");
-    const std::string text = json_[key].get<std::string>();
-    if (text.empty() || is_live(text) || fs::path(text).is_absolute()) return text;
-    return (folder_ / text).string();
+    return source_in(folder_, json_[key].get<std::string>());
   }
   bool flag(const char* key) const {
     if (!json_.contains(key)) return false;
@@ -103,6 +108,8 @@ std::string igtl_source(std::string_view pictures) {
   return std::string(kIgtlPrefix) + std::string(pictures);
 }
 
+bool is_pattern(std::string_view source) { return source.find_first_of("*?") != std::string_view::npos; }
+
 bool is_live(std::string_view source) { return is_device(source) || is_igtl(source); }
 
 void SourceOptions::validate() const {
@@ -155,7 +162,10 @@ void write_source(const fs::path& path, const SourceOptions& options) {
   for (const auto& [name, layout] : kLayouts)
     if (layout == options.layout) document["layout"] = name;
   write_json(path, document);
-  for (const std::string& source : {options.left, options.right}) remember_source(source);
+  std::vector<std::string> entered = {path.string()};
+  for (const std::string& source : {options.left, options.right})
+    entered.push_back(source_in(path.parent_path(), source));
+  remember_sources(entered);
 }
 
 bool leaves(const Cut& cut, int width, int height) {

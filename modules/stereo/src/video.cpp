@@ -33,8 +33,7 @@ std::unique_ptr<PictureStream> open_stream(const std::string& source, const RunC
 bool holds_pictures(const std::string& source) {
   if (is_live(source)) return false;
   std::error_code failure;
-  return fs::is_directory(source, failure) || source.find('*') != std::string::npos ||
-         source.find('?') != std::string::npos;
+  return fs::is_directory(source, failure) || is_pattern(source);
 }
 
 /// Pairs of picture files.
@@ -86,12 +85,17 @@ std::unique_ptr<Views> open_views(const SourceOptions& options, const RunContext
   return views_of(std::move(left), options.layout);
 }
 
+/// What is opened by these paths is remembered, what a description names, too.
 SourceOptions options_of(const fs::path& left, const fs::path& right) {
-  if (right.empty() && left.extension() == ".json") return read_entered_source(left);
+  if (right.empty() && left.extension() == ".json") {
+    const SourceOptions described = read_entered_source(left);
+    remember_sources({left.string(), described.left, described.right});
+    return described;
+  }
   SourceOptions options;
   options.left = left.string();
   options.right = right.string();
-  for (const std::string& named : {options.left, options.right}) remember_source(named);
+  remember_sources({options.left, options.right});
   if (!right.empty()) options.layout = Layout::separate;
   return options;
 }

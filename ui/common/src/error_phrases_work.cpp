@@ -17,6 +17,7 @@ const std::vector<const char*>& work_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 100 MB, more than any list needs"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 4 GB"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "names a source outside this computer (%1)"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "names pictures that nobody here has chosen (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "nests lists deeper than any that is read here"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no voxel of %1 within 5 mm"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies at the tree's root"),
@@ -136,6 +137,9 @@ const std::vector<const char*>& work_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Enter that source yourself where pictures are opened, if you trust it"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Choose the source again"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Open them yourself if you trust the case"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give them by --video, if you trust the case"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Look at it as it is now, and say it again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose another name, or say that it is replaced"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Add one, or leave --correct out"),

@@ -267,8 +267,9 @@ class Notes {
         {"case.changed_outside", tr("A file of the case was changed outside of Glisson since it was saved: "
                                     "%*. Check what it holds.")},
         {"case.video_lost",
-         tr("The case was opened without its video: it names a source outside this computer, which only "
-            "you may open. (%*)")},
+         tr("The case was opened without its video, which the case has chosen and nobody here. If you trust "
+            "it, open it yourself (Stereo > Open; on the command line --video of render and overlay). "
+            "(%*)")},
         {"case.moment_lost",
          tr("The case was opened without a kept moment, which cannot be read. The others are there. (%*)")},
         {"labels.other_frame", tr("The segmentation names another DICOM frame of reference than the CT, as "

@@ -26,6 +26,7 @@ class Obstacles {
             {"proposals", tr("Let the atlas propose the landmarks first.")},
             {"rig", tr("Load the laparoscope's calibration first.")},
             {"video", tr("The case has no stereo video (Stereo, Video…).")},
+            {"named_video", tr("The case names no pictures that nobody here has chosen.")},
             {"frame", tr("Load a stereo pair or a video frame first.")},
             {"regions", tr("Draw regions on the frame first (Stereo).")},
             {"check", tr("Look at the model and say whether it is right first (Model).")},

@@ -32,6 +32,7 @@
 #include "glisson/engine/surface_export.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/named_video_question.h"
 #include "glisson/ui/common/save_name.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/common/unit_question.h"
@@ -425,8 +426,8 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   // What is odd about a file is told before work on it begins; of a save or an export, what became otherwise.
   // A model has a sheet of its own for it.
   const bool has_sheet = outcome.traits.writes.has(part::model) && !outcome.traits.replaces_case();
-  if (outcome.status == engine::Status::done && !outcome.notes.empty() && !has_sheet)
-    show_problem(notes_text(outcome.notes));
+  const std::vector<std::string> notes = ask_named_video(this, engine_, outcome);
+  if (outcome.status == engine::Status::done && !notes.empty() && !has_sheet) show_problem(notes_text(notes));
 }
 
 QString MainWindow::status_text() const { return status_->text(); }

@@ -56,6 +56,7 @@ const PartOf<StereoInput> part::frame{{.code = "frame",
                                        .files = {"frame/*.png"},
                                        .save = save,
                                        .load = load,
-                                       .same = same}};
+                                       .same = same,
+                                       .outlives = {part::video}}};
 
 }  // namespace glisson::engine

@@ -85,6 +85,8 @@ struct CaseFolder {
   /// What cannot be read but can be made again is told here ("case.cloud_lost SENTENCE") and left out; null:
   /// it is thrown.
   std::vector<std::string>* lost = nullptr;
+  /// It is this program's own writing that is read back: nothing that it names is foreign.
+  bool is_own = false;
 };
 
 /// How a part describes itself.
@@ -134,6 +136,9 @@ struct PartSpec {
   bool is_input = true;
   /// Inputs that it no longer counts as made from once a command has changed it instead of making it anew.
   std::vector<Part> changed_frees_from = {};
+  /// Inputs that it no longer counts as made from where a case was opened without them: what the case holds
+  /// is not out of date by what was left out.
+  std::vector<Part> outlives = {};
 };
 
 /// The description of a part, but for its type in C++. One object for each part lives as long as the program.

@@ -4,12 +4,13 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// @file
-/// How far a source of pictures reaches: what a case names is opened without anybody's asking, so that it
-/// must stay on this computer. What a person names may be a stream of a network. A description of a source
-/// (.json) may have come from anywhere: what it names beyond this computer is opened only where a person of
-/// this computer has entered the same address.
+/// How far a source of pictures reaches, and whether a person has chosen it. What a person names is opened: a
+/// file, a camera, a stream of a network. It is remembered. What a case or a description of a source (.json)
+/// names may have come from anywhere: what leads beyond this computer is opened only where a person of this
+/// computer has entered the same address, and of a case so is any file or camera that lies elsewhere.
 
 namespace glisson::stereo {
 
@@ -19,9 +20,15 @@ struct SourceOptions;
 /// network, servers of OpenIGTLink and pipelines of GStreamer, which can do anything, are not.
 bool stays_here(std::string_view source);
 
-/// Keeps that a person has entered a source that does not stay here, in `known_sources` below state_folder();
-/// nothing where there is no such folder or it cannot be written.
-void remember_source(const std::string& source);
+/// Keeps that a person has entered these sources, in `known_sources` below state_folder(): one a line, files
+/// by their canonical absolute path, the latest last; the latest 1,000 stay. Nobody else may read the list.
+/// Nothing where there is no such folder or it cannot be written: work is not refused for it. Of two programs
+/// that write at once one may be lost.
+/// @param sources as SourceOptions names them; empty ones are none.
+void remember_sources(const std::vector<std::string>& sources);
+
+/// Whether a person has entered this source before, however its path was written.
+bool is_entered(const std::string& source);
 
 /// As read_source(). @throws InputError, too, where it names a source that does not stay here and that nobody
 /// here has entered.

@@ -54,12 +54,14 @@ bool is_igtl(std::string_view source);
 std::string igtl_source(std::string_view pictures);
 /// Either: no file, and without an end.
 bool is_live(std::string_view source);
+/// Whether a file's name stands for several pictures ("left_*.png").
+bool is_pattern(std::string_view source);
 
 /// JSON {"left": "scope.mkv", "layout": "top_bottom", "deinterlace": true, "crop": [0, 4, 0, 532], ...};
 /// paths in it are relative to its folder. Wherever a stereo video can be named, such a file can.
 /// @throws FileError; InputError naming the field.
 SourceOptions read_source(const std::filesystem::path& path);
-/// Atomic. Paths are written as they are.
+/// Atomic. Paths are written as they are; whoever writes them has chosen them (remember_sources()).
 void write_source(const std::filesystem::path& path, const SourceOptions& options);
 
 /// How pictures were cut out of a source's views.

@@ -7,7 +7,8 @@
 
 namespace glisson::engine {
 
-/// From now on the case's video is this one (`right` empty: `left` holds both views side by side).
+/// From now on the case's video is this one (`right` empty: `left` holds both views side by side), by a
+/// person's word: it is remembered as chosen (stereo/reach.h).
 struct SetVideo {
   std::filesystem::path left, right;
 

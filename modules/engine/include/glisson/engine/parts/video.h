@@ -9,7 +9,8 @@
 
 namespace glisson::engine {
 
-/// Where the stereo video of the operation lies.
+/// Where the stereo video of the operation lies. Of a case that was opened: one that a person of this
+/// computer has chosen, or that lies in the case's folder; others are only named (named_video.h).
 struct VideoSource {
   std::filesystem::path left, right;  ///< `right` empty: `left` holds both views side by side
   /// How its views were cut when a person opened it. Empty: they were not, or it came with a case's files.
