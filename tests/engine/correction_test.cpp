@@ -2,6 +2,7 @@
 // A hand's corrections reach what follows the organ, in order with its frames, and the live part tells them.
 #include <QTest>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/start_tracking.h"
@@ -9,6 +10,10 @@
 #include "glisson/engine/commands/undo_correction.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/placed_correction.h"
+#include "glisson/geometry/topology.h"
 #include "runners.h"
 
 using namespace glisson;
@@ -81,6 +86,7 @@ class CorrectionTest : public QObject {
   void ARefusedOneChangesNothing();
   void NothingIsCorrectedUnlessItIsFollowed_data() { test::both_runners(); }
   void NothingIsCorrectedUnlessItIsFollowed();
+  void ALineOfAFileTakesHoldOfWhatIsDrawn();
 
  private:
   static void follow(Engine& engine, int index) {
@@ -141,6 +147,58 @@ void CorrectionTest::NothingIsCorrectedUnlessItIsFollowed() {
   QCOMPARE(ask(engine, UndoCorrection{}).status, Status::failed);
   ask(engine, StopTracking{});
   QCOMPARE(ask(engine, CorrectTracking{}).status, Status::failed);
+}
+
+/// A tetrahedron whose front face lies at 150 mm, seen by lenses without distortion: where a pixel meets it
+/// is a product.
+void CorrectionTest::ALineOfAFileTakesHoldOfWhatIsDrawn() {
+  constexpr double kFocal = 500.0, kFront = 0.15, kBase = 4e-3;
+  const Eigen::Vector3d moved(-0.01, -0.01, kFront);
+  auto built = std::make_shared<model::BuiltModel>();
+  built->model.mesh.vertices.resize(4, 3);
+  built->model.mesh.vertices << 0.0, 0.0, 0.0, 0.04, 0.0, 0.0, 0.0, 0.04, 0.0, 0.0, 0.0, 0.04;
+  built->model.mesh.tetrahedra.resize(1, 4);
+  built->model.mesh.tetrahedra << 0, 1, 2, 3;
+  built->model.surface = boundary_surface(built->model.mesh);
+  auto rig = std::make_shared<StereoRig>();
+  for (Camera* camera : {&rig->left, &rig->right}) {
+    camera->width = 640;
+    camera->height = 480;
+    camera->matrix << kFocal, 0.0, 320.0, 0.0, kFocal, 240.0, 0.0, 0.0, 1.0;
+  }
+  rig->right_from_left.translation.x() = -kBase;
+  auto seen = std::make_shared<LiveState>();
+  seen->overlay.nodes_in_camera = built->model.mesh.vertices.rowwise() + moved.transpose();
+  CaseState state;
+  state[part::model] = built;
+  state[part::rig] = rig;
+  state[part::live] = seen;
+
+  CorrectionLine line;
+  line.frame = 7;
+  line.correction = Correction();
+  line.correction->from = {345.0, 225.0};
+  line.correction->to = {350.0, 226.0};
+  const Correction picked = placed_correction(state, line, "c.jsonl");
+  const Eigen::Vector3d met = kFront * Eigen::Vector3d(25.0 / kFocal, -15.0 / kFocal, 1.0);
+  QVERIFY((picked.place_in_ct - (met - moved)).norm() < 1e-9);
+  QVERIFY((picked.from - line.correction->from).norm() < 1e-6);
+  QVERIFY(picked.feature == CorrectedFeature::surface && picked.to == line.correction->to);
+
+  // Whose place is known is where that is drawn, whatever the line said of it.
+  line.has_place = true;
+  line.correction->place_in_ct = met - moved;
+  line.correction->from = {1.0, 1.0};
+  line.correction->view = StereoView::right;
+  const Correction placed = placed_correction(state, line, "c.jsonl");
+  QVERIFY((placed.from - Eigen::Vector2d(345.0 - kFocal * kBase / kFront, 225.0)).norm() < 1e-6);
+  QVERIFY(placed.place_in_ct == line.correction->place_in_ct);
+
+  line.has_place = false;
+  const std::string told = test::complaint([&] { (void)placed_correction(state, line, "c.jsonl"); });
+  QVERIFY2(told.find("c.jsonl") != std::string::npos && told.find("frame 7") != std::string::npos &&
+               told.find("beside the organ") != std::string::npos,
+           told.c_str());
 }
 
 QTEST_APPLESS_MAIN(CorrectionTest)
