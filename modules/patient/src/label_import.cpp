@@ -82,8 +82,8 @@ void note_left_out(const LabelFile& file, const LabelSummary& summary, const Lab
                        std::to_string(code) + (is_named ? ' ' + info->name : std::string()) + volume.data());
   }
   std::ranges::sort(found);
-  std::vector<std::string> left_out;
-  for (const auto& [voxels, text] : found) left_out.push_back(text);
+  std::vector<std::string> left_out(found.size());
+  std::ranges::transform(found, left_out.begin(), [](const auto& label) { return label.second; });
   if (!left_out.empty()) notes.push_back("labels.codes_left_out " + first_of(left_out));
 }
 

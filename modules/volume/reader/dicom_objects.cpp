@@ -226,6 +226,7 @@ std::vector<ListedSeries> series_of(const Request& request, const std::vector<Di
   std::map<std::string, std::vector<const DicomObject*>> all;
   for (const DicomObject& object : objects) all[object.series.uid].push_back(&object);
   std::vector<ListedSeries> list;
+  list.reserve(all.size());
   for (const auto& [uid, files] : all) list.push_back(listed(request, files));
   return list;
 }
