@@ -16,7 +16,9 @@ class SteadyScroll : public QScrollArea {
   bool focusNextPrevChild(bool next) override {
     const QWidget* from = focusWidget();
     const bool is_asked_for = from == nullptr || (from->isEnabled() && from->isVisibleTo(this));
-    return is_asked_for ? QScrollArea::focusNextPrevChild(next) : QWidget::focusNextPrevChild(next);
+    if (is_asked_for) return QScrollArea::focusNextPrevChild(next);
+    // The parent's is what scrolls. NOLINTNEXTLINE(bugprone-parent-virtual-call)
+    return QWidget::focusNextPrevChild(next);
   }
 };
 
