@@ -150,7 +150,10 @@ void open_with_video(const Arguments& arguments, Session& session) {
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   const auto& held = session.state()[part::video];
-  if (arguments.has("video") && !(held && is_same_place(held->left, left)))
+  const auto is_held = [](const std::filesystem::path& view, const std::filesystem::path& given) {
+    return view.empty() || given.empty() ? view == given : is_same_place(view, given);
+  };
+  if (arguments.has("video") && !(held && is_held(held->left, left) && is_held(held->right, right)))
     session.post(engine::SetVideo{left, right});
 }
 

@@ -180,15 +180,6 @@ void take_modes(Atlas& atlas, const TriangleFile& file, const std::string& name,
     }
 }
 
-/// Where the atlas of a folder stands: under its former name where an exchange was killed on a file system
-/// that cannot do it in one step.
-fs::path standing(const fs::path& folder) {
-  std::error_code ignored;
-  if (folder.empty() || fs::exists(folder, ignored)) return folder;
-  const fs::path former = former_name(place_for_folder(folder));
-  return fs::exists(former / kSheetFile, ignored) ? former : folder;
-}
-
 /// What else lies in an atlas' folder stays: files by a second name for the same content where there can be
 /// one, so that nothing is lost in a kill.
 void carry_over(const fs::path& former, const fs::path& fresh) {
@@ -239,18 +230,19 @@ void replace_atlas(const fs::path& folder, const Atlas& atlas) {
   const TemporaryFolder beside(around);
   const fs::path fresh = beside.path() / place.filename();
   write_atlas(fresh, atlas);
-  if (const fs::path former = standing(place); fs::exists(former)) {
+  if (const fs::path former = standing_folder(place, kSheetFile); fs::exists(former)) {
     carry_over(former, fresh);
     fs::permissions(fresh, fs::status(former).permissions());
   }
   flush_to_disk(fresh);
   exchange_folders(fresh, place, kSheetFile);
-  drop_former(place, kSheetFile);
-  flush_to_disk(around);
 }
 
 Atlas read_atlas(const fs::path& given) {
-  const fs::path folder = standing(given), path = folder / kSheetFile;
+  std::error_code ignored;
+  const bool is_there = given.empty() || fs::exists(given, ignored);
+  const fs::path folder = is_there ? given : standing_folder(place_for_folder(given), kSheetFile);
+  const fs::path path = folder / kSheetFile;
   const json document = read_json(path);
   const Sheet sheet(document, path.string());
   if (sheet.text("format") != kFormat) sheet.fail("format", "is not that of an atlas");

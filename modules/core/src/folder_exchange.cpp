@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/core/output_file.h"
 
 namespace glisson {
@@ -26,6 +27,13 @@ fs::path place_for_folder(const fs::path& path) {
 
 fs::path former_name(const fs::path& folder) {
   return folder.parent_path() / ("." + folder.filename().string() + ".former");
+}
+
+fs::path standing_folder(const fs::path& folder, const char* mark) {
+  std::error_code ignored;
+  if (fs::exists(folder, ignored)) return folder;
+  const fs::path former = former_name(folder);
+  return fs::exists(former / mark, ignored) ? former : folder;
 }
 
 void drop_former(const fs::path& folder, const char* mark) {
@@ -57,6 +65,8 @@ void exchange_folders(const fs::path& fresh, const fs::path& folder, const char*
     }
   }
   if (failure) throw FileError(folder.string() + ": could not be replaced (" + failure.message() + ").");
+  drop_former(folder, mark);
+  flush_to_disk(folder.parent_path());
 }
 
 }  // namespace glisson

@@ -23,7 +23,6 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* kFormat = "glisson-case";
-constexpr const char* kCaseFile = "case.json";
 
 /// Whether a part goes to the disk as it stands in this state.
 bool is_kept(const CaseState& state, Part part) {
@@ -165,8 +164,6 @@ std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
       notes.push_back("case.kept_changed " + (path / file).string());
   flush_tree(fresh);
   exchange_folders(fresh, path, kCaseFile);
-  drop_former(path, kCaseFile);
-  flush_to_disk(path.parent_path());
   return notes;
 }
 
@@ -220,7 +217,7 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
                                  std::vector<std::string>* lost, const Known& known) {
   fs::path path = case_place(given);
   sweep_leftovers(path.parent_path());
-  if (!fs::exists(path) && holds_case(former_name(path))) path = former_name(path);
+  path = standing_folder(path, kCaseFile);
   if (!fs::exists(path)) throw FileError(given.string() + ": does not exist. Check the path.");
   if (!holds_case(path))
     throw InputError(given.string(), kCaseFile, "is missing: this folder is not a case",

@@ -25,8 +25,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 namespace {
 
-constexpr const char* kCaseFile = "case.json";
-
 /// Whether a name is one that this or an earlier edition gives to a file of a case.
 bool is_of_layout(const fs::path& relative) {
   if (relative == kCaseFile) return true;

@@ -12,6 +12,9 @@
 
 namespace glisson::engine {
 
+/// Says what the case's parts are: a folder that holds it is a case.
+inline constexpr const char* kCaseFile = "case.json";
+
 /// A sum over what a file holds: tells changes from none, not forgeries. Empty: it cannot be read.
 std::string sum_of(const std::filesystem::path& path);
 /// The same of what a file would hold.

@@ -66,9 +66,7 @@ bool all_stay_here(const Sources& sources) {
 bool all_are_chosen(const Sources& sources, const fs::path& home) {
   return std::all_of(sources.begin(), sources.end(), [&](const std::string& source) {
     if (stereo::is_entered(source)) return true;
-    const fs::path path = source;
-    return !stereo::is_live(source) &&
-           lies_in_case(home, stereo::is_pattern(source) ? path.parent_path() : path);
+    return !stereo::is_live(source) && lies_in_case(home, place_on_disk(source));
   });
 }
 
@@ -107,6 +105,10 @@ bool same_place(const fs::path& a, const fs::path& b) {
 }
 
 }  // namespace
+
+fs::path place_on_disk(const fs::path& source) {
+  return stereo::is_pattern(source.string()) ? source.parent_path() : source;
+}
 
 json video_entry(const VideoSource& video, const CaseFolder& folder) {
   return {{"left", place_of(video.left, folder.home)}, {"right", place_of(video.right, folder.home)}};

@@ -13,6 +13,9 @@
 
 namespace glisson::engine {
 
+/// The file of a source that is not live, or the folder of a pattern.
+std::filesystem::path place_on_disk(const std::filesystem::path& source);
+
 /// Videos are large: the case says where they lie, relative to itself where they lie beside it, so that both
 /// can move.
 nlohmann::json video_entry(const VideoSource& video, const CaseFolder& folder);

@@ -42,10 +42,9 @@ std::vector<std::string> named_sources(const CaseState& state) {
 
 bool is_there(const VideoSource& video) {
   for (const fs::path& view : {video.left, video.right}) {
-    const std::string source = view.string();
-    if (source.empty() || stereo::is_live(source)) continue;
+    if (view.empty() || stereo::is_live(view.string())) continue;
     std::error_code failure;
-    if (!fs::exists(stereo::is_pattern(source) ? view.parent_path() : view, failure)) return false;
+    if (!fs::exists(place_on_disk(view), failure)) return false;
   }
   return true;
 }

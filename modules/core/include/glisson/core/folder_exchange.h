@@ -14,13 +14,17 @@ std::filesystem::path place_for_folder(const std::filesystem::path& path);
 /// @param folder as place_for_folder() gives it.
 std::filesystem::path former_name(const std::filesystem::path& folder);
 
+/// Where a folder is read: under its former name where an exchange was killed between its two renames.
+/// @param folder as place_for_folder() gives it. @param mark a file that a whole folder of this kind holds.
+std::filesystem::path standing_folder(const std::filesystem::path& folder, const char* mark);
+
 /// Puts the folder `fresh` in place of `folder`, in one step as seen from outside: killed at any moment it
-/// leaves the former one or the new one whole (see former_name), and a folder of a hidden name that
-/// sweep_leftovers() knows. The caller has flushed what is in it, and flushes the folder around it
-/// afterwards.
+/// leaves the former one or the new one whole (see standing_folder), and a folder of a hidden name that
+/// sweep_leftovers() knows. Then what a killed exchange had left goes (drop_former), and the change is on the
+/// disk. The caller has flushed what is in it.
 /// @param fresh on the same file system, below a TemporaryFolder. @param folder as place_for_folder() gives
 ///   it; need not be there yet.
-/// @param mark a file that a whole folder of this kind holds, see drop_former. @throws FileError; the
+/// @param mark as above. @throws FileError; the
 ///   former folder stands then.
 void exchange_folders(const std::filesystem::path& fresh, const std::filesystem::path& folder,
                       const char* mark);
