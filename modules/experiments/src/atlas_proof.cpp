@@ -20,7 +20,6 @@ using atlas::LeftOutStructure;
 using atlas::Member;
 using atlas::Structure;
 
-constexpr int kSyntheticLivers = 10;
 constexpr std::uint64_t kFirstSeed = 9000;  // of livers that the built-in atlas has not
 
 /// Mean and worst over livers, and the share of points within their ellipsoids; of none nothing.
@@ -82,7 +81,7 @@ class Proof {
 
   Cancellable<AtlasProof> run() {
     if (options_.synthetic && !synthetic(context_.part(0.0, 0.1))) return {};
-    if (options_.synthetic && !effect(context_.part(0.1, 0.35))) return {};
+    if (options_.synthetic && options_.effect_patients > 0 && !effect(context_.part(0.1, 0.35))) return {};
     std::vector<std::string> names = label_map_names(options_.data);
     if (!options_.validation)
       std::erase_if(names, [](const std::string& name) { return !is_for_development(name); });
@@ -108,7 +107,7 @@ class Proof {
 
   bool synthetic(const RunContext& context) {
     std::vector<Member> members;
-    for (int i = 0; i < kSyntheticLivers; ++i)
+    for (int i = 0; i < options_.livers; ++i)
       members.push_back(synthetic_member(kFirstSeed + options_.seed * 100 + static_cast<std::uint64_t>(i)));
     const auto result = built(members, context);
     if (!result) return false;
@@ -120,6 +119,7 @@ class Proof {
     LandmarkEffectOptions options;
     options.atlas = options_.built_in;
     options.seed = options_.seed;
+    options.patients = options_.effect_patients;
     auto measured = measure_landmark_effect(options, context);
     if (!measured) return false;
     proof_.figures.merge(measured->figures);
@@ -220,11 +220,13 @@ class Proof {
 
 void AtlasProofOptions::validate() const {
   if (!built_in) throw InputError("atlas proof", "built_in", "is not there", "Give the built-in atlas");
+  const OptionCheck demand("atlas proof");
+  demand(livers >= 5 && livers <= 50, "livers", livers, "Give 5 to 50");
+  demand(effect_patients >= 0, "effect_patients", effect_patients, "Give 0 or more");
 }
 
 Cancellable<AtlasProof> prove_atlas(const AtlasProofOptions& options, const RunContext& context) {
   options.validate();
-  require(options.built_in != nullptr, "the proof needs the built-in atlas");
   return Proof(options, context).run();
 }
 

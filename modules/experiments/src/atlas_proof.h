@@ -23,10 +23,12 @@ struct AtlasProofOptions {
   std::filesystem::path data;                    ///< with liver_labelmaps; absent: in silico only
   std::shared_ptr<const atlas::Atlas> built_in;  ///< what comes with the program
   bool synthetic = true;                         ///< in silico too
-  bool validation = true;                        ///< the label maps with odd numbers too
+  int livers = 10;                               ///< of the synthetic population
+  int effect_patients = 2;  ///< who are registered with landmarks of each source; 0: none
+  bool validation = true;   ///< the label maps with odd numbers too
   std::uint64_t seed = 1;
 
-  /// @throws InputError there is no built-in atlas.
+  /// @throws InputError there is no built-in atlas; naming the option.
   void validate() const;
 };
 

@@ -74,9 +74,9 @@ class Study {
     if (!model) return false;
     const Binding lesions = bind_points(model->mesh, stage.lesions, false);
     registration::KnownOperations known;
-    for (std::size_t handling = 0; handling < stage.handled.size(); ++handling) {
-      context.progress(static_cast<double>(handling) / static_cast<double>(stage.handled.size()),
-                       "prove.registration");
+    const auto handlings = static_cast<std::size_t>(options_.handlings);
+    for (std::size_t handling = 0; handling < handlings; ++handling) {
+      context.progress(static_cast<double>(handling) / options_.handlings, "prove.registration");
       LabelledCloud cloud =
           faulty_cloud(stage, stage, handling, options_.share, RegistrationFault::none, seed + 10 * handling);
       if (source == LandmarkSource::none) cloud.features.clear();
@@ -244,6 +244,8 @@ void LandmarkEffectOptions::validate() const {
   if (!atlas) throw InputError("landmark effect", "atlas", "is not there", "Give an atlas");
   const OptionCheck demand("landmark effect");
   demand(patients > 0, "patients", patients, "Give one at least");
+  static_assert(std::size(insilico::kHandlings) == 4);
+  demand(handlings > 0 && handlings <= 4, "handlings", handlings, "Give 1 to 4");
   demand(share > 0.0 && share <= 1.0, "share", share, "Give a share in (0, 1]");
 }
 

@@ -38,6 +38,7 @@ struct LandmarkEffectOptions {
   std::shared_ptr<const atlas::Atlas> atlas;  ///< required
   std::uint64_t seed = 1;
   int patients = 2;    ///< livers of the synthetic population that the built-in atlas has not
+  int handlings = 4;   ///< of each, the first ones of insilico::kHandlings
   double share = 0.3;  ///< of the surface that is seen
 
   /// @throws InputError naming the option.
@@ -53,8 +54,8 @@ struct LandmarkEffect {
   Figures figures;
   std::vector<std::string> table;  ///< a row a source, then a row a cloud, each with heads
 };
-/// In silico: each patient handled in every way of `insilico`, one cloud each, registered with each source.
-/// Empty: cancelled. @throws InputError options; Error.
+/// In silico: each patient handled in so many ways of `insilico`, one cloud each, registered with each
+/// source. Empty: cancelled. @throws InputError options; Error.
 Cancellable<LandmarkEffect> measure_landmark_effect(const LandmarkEffectOptions& options,
                                                     const RunContext& context);
 

@@ -18,7 +18,6 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/script.h"
 #include "glisson/insilico/operator.h"
-#include "glisson/insilico/patient.h"
 #include "glisson/segmentation/evaluate.h"
 #include "patient_proof_trials.h"
 
@@ -144,7 +143,7 @@ void real_way(const fs::path& real, const PatientProofOptions& options, const fs
 
 void synthetic_way(const PatientProofOptions& options, const fs::path& folder, PatientProof& proof,
                    const RunContext& context) {
-  insilico::PatientOptions shape;
+  insilico::PatientOptions shape = options.patient;
   shape.shape_seed = options.seed;
   auto patient = insilico::make_patient(shape, context.part(0.0, 0.1));
   if (!patient) throw Cancelled();

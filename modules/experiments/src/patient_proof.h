@@ -8,6 +8,7 @@
 #include "glisson/core/json_file.h"
 #include "glisson/core/run_context.h"
 #include "glisson/experiments/aims.h"
+#include "glisson/insilico/patient.h"
 
 /// @file
 /// From the CT to the model, measured: on a real CT against an expert's labels, and on the synthetic patient
@@ -22,8 +23,10 @@ struct PatientProofOptions {
   std::filesystem::path data;
   /// Clicks and label codes of the real patient: 3dircadb1_seeds.json, 3dircadb1_codes.json.
   std::filesystem::path clicks;
-  int strokes = 20;       ///< of the scripted edit of the vessels
-  bool synthetic = true;  ///< the patient in silico too
+  int strokes = 20;                  ///< of the scripted edit of the vessels
+  bool synthetic = true;             ///< the patient in silico too
+  insilico::PatientOptions patient;  ///< that one; its shape's seed is `seed`
+  std::string only;                  ///< trials in silico whose name contains this; empty: all
   std::uint64_t seed = 1;
 
   /// @throws InputError naming the option.

@@ -279,11 +279,13 @@ bool run_trials(const PatientProofOptions& options, PatientProof& proof, const R
   const auto pathologies =
       options.synthetic ? insilico::pathologies(options.seed) : std::vector<insilico::Pathology>{};
   for (std::size_t n = 0; n < pathologies.size(); ++n) {
+    ++place;  // each has clicks of its own, whichever are tried
+    if (pathologies[n].name.find(options.only) == std::string::npos) continue;
     context.progress(static_cast<double>(n) / static_cast<double>(pathologies.size()), "patient.ct");
     auto made = insilico::make_pathology_ct(pathologies[n], context.quiet());
     if (!made) return false;
     const Trial trial{pathologies[n].name, kSynthetic, std::move(made->ct), std::move(made->truth)};
-    if (!trials.run(trial, ++place, context.quiet())) return false;
+    if (!trials.run(trial, place, context.quiet())) return false;
   }
   trials.finish();
   return true;

@@ -21,22 +21,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kNoise = 1e-3;  // m
-constexpr int kNodes = 2500;     // of an organ: about as many as elastic_sequence has
 constexpr const char* kSequence = "elastic_sequence";
 constexpr const char* kOthers[] = {"synthetic_101", "labels_0002"};  // of proof_patients(), development
 
-Cancellable<BareOrgan> organ_of(const ProofPatient& patient, const fs::path& data,
+Cancellable<BareOrgan> organ_of(const ProofPatient& patient, const PulledProofOptions& options,
                                 const RunContext& context) {
-  const auto loaded = load(patient, data, context);
+  const auto loaded = load(patient, options.data, context);
   if (!loaded) return std::nullopt;
   const auto& surfaces = loaded->shown.surfaces;
   const auto liver = std::find_if(surfaces.begin(), surfaces.end(), [](const NamedSurface& one) {
     return one.structure == structure::kParenchyma;
   });
   require(liver != surfaces.end(), "a patient has a liver");
-  model::MeshOptions options;
-  options.target_vertices = kNodes;
-  auto mesh = model::mesh_surface(liver->mesh, options, context);
+  model::MeshOptions wanted;
+  wanted.target_vertices = options.nodes;
+  auto mesh = model::mesh_surface(liver->mesh, wanted, context);
   if (!mesh) return std::nullopt;
   return BareOrgan{patient.name, std::move(*mesh)};
 }
@@ -55,7 +54,7 @@ Cancellable<std::vector<BareOrgan>> organs(const PulledProofOptions& options,
       absent.emplace_back(patient.path);
       continue;
     }
-    auto organ = organ_of(patient, options.data, context);
+    auto organ = organ_of(patient, options, context);
     if (!organ) return std::nullopt;
     all.push_back(std::move(*organ));
   }
@@ -155,6 +154,7 @@ void PulledProofOptions::validate() const {
   const OptionCheck demand("pulled proof options");
   demand(organs > 0, "organs", organs, "Give one at least");
   demand(frames > 1, "frames", frames, "Give two at least");
+  demand(nodes >= 200, "nodes", nodes, "Give 200 at least");
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 

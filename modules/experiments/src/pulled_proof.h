@@ -20,8 +20,9 @@ namespace glisson::experiments {
 struct PulledProofOptions {
   std::filesystem::path data;  ///< for elastic_sequence; absent: left out
   std::uint64_t seed = 1;
-  int organs = 4;  ///< of each kind, each with and without noise
-  int frames = 6;  ///< that each is followed over, the registered one included
+  int organs = 4;    ///< of each kind, each with and without noise
+  int frames = 6;    ///< that each is followed over, the registered one included
+  int nodes = 2500;  ///< of an organ that is not elastic_sequence's: about as many as that has
   int threads = 2;
   /// Few organs: to see whether it runs.
   static PulledProofOptions quick();

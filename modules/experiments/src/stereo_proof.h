@@ -20,6 +20,7 @@ struct StereoProofOptions {
   /// The folder with stereo_opencas, stereo_chessboard and stereo_heart; what is absent is left out.
   std::filesystem::path data;
   bool theatre = true;
+  std::string only;  ///< of the theatre's trials those whose name contains this; empty: all
   std::uint64_t seed = 1;
 };
 

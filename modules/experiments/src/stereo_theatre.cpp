@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "glisson/core/files.h"
 #include "glisson/core/statistics.h"
@@ -116,6 +117,7 @@ bool prove_in_theatre(const StereoProofOptions& options, const std::filesystem::
   double distance = 0.0, done = 0.0;
   for (const Trial& trial : kTrials) {
     if (context.cancelled()) return false;
+    if (std::string_view(trial.name).find(options.only) == std::string_view::npos) continue;
     context.progress(0.15 + 0.85 * done++ / static_cast<double>(std::size(kTrials)), "prove.theatre");
     if (!scene || distance != trial.distance_mm)
       scene = scene_at(*patient, distance = trial.distance_mm, options.seed, context.quiet());
