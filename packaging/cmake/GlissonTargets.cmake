@@ -2,9 +2,10 @@
 #   a static library glisson::fem with include root modules/fem/include. READS names the sources that parse what others
 #   wrote.
 # glisson_ui(NAME shell ... [NO_WIDGETS]) the same under ui/, with moc.
-# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [COMPUTES])
+# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [INSIDE ...] [DISPLAY] [LONG] [SCHEDULED] [COMPUTES])
 #   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
-#   LONG begins it before the others, so that none runs on alone at the end. INSIDE names modules whose headers in src/
+#   LONG begins it before the others, so that none runs on alone at the end. SCHEDULED leaves it out unless ctest is told
+#   "-C Scheduled", as the presets with sanitizers or counts do: it takes minutes. INSIDE names modules whose headers in src/
 #   it reads: what is tested of them is not public. COMPUTES, or GLISSON_TESTS_COMPUTE for a whole folder, optimises it,
 #   because it works on millions of voxels, pixels or points itself: of others half the compiler's time would go into
 #   code that runs once.
@@ -60,7 +61,7 @@ function(glisson_ui)
 endfunction()
 
 function(glisson_test)
-  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;COMPUTES" "NAME;TIMEOUT" "SOURCES;LIBRARIES;INSIDE" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;LONG;SCHEDULED;COMPUTES" "NAME;TIMEOUT" "SOURCES;LIBRARIES;INSIDE" ${ARGN})
   string(REPLACE "/" "_" target "${ARG_NAME}_test")
   get_filename_component(stem "${ARG_NAME}" NAME)
   # A test holds its class itself, so moc has one file to read: automoc would add a unit and a scan to each program.
@@ -90,11 +91,16 @@ function(glisson_test)
   if(NOT (ARG_COMPUTES AND pch STREQUAL glisson_widgets_test_pch))
     _glisson_reuse_pch(${target} ${pch})
   endif()
+  set(when)
+  if(ARG_SCHEDULED)
+    set(when CONFIGURATIONS Scheduled)
+  endif()
   if(ARG_DISPLAY)
     find_program(GLISSON_XVFB_RUN xvfb-run REQUIRED)
-    add_test(NAME ${ARG_NAME} COMMAND ${GLISSON_XVFB_RUN} -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${target}>)
+    add_test(NAME ${ARG_NAME} ${when}
+      COMMAND ${GLISSON_XVFB_RUN} -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${target}>)
   else()
-    add_test(NAME ${ARG_NAME} COMMAND ${target})
+    add_test(NAME ${ARG_NAME} ${when} COMMAND ${target})
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)

@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "landmark_effect.h"
+#include "live_proof.h"
 #include "patient_proof.h"
 #include "pulled_proof.h"
 #include "stereo_proof.h"
@@ -49,6 +50,7 @@ class ProofRunsTest : public QObject {
   void AnAtlasForetellsLivers();
   void LandmarksOfEachSourceAreRegistered();
   void PicturesBecomeClouds();
+  void TheOverlayStaysWithoutAFault();
   void APatientGoesFromTheCtToTheModel();
   void CancelGivesNothing();
   void WrongOptionsAreRefused();
@@ -109,9 +111,30 @@ void ProofRunsTest::PicturesBecomeClouds() {
   QCOMPARE(not_measured(stereo_aims(), proof->figures), QStringList());
   QCOMPARE(proof->absent.size(), std::size_t{3});
   QCOMPARE(proof->table.size(), std::size_t{3});  // heads, features, dense
-  QVERIFY(proof->figures.at("theatre_near_dense_points") > proof->figures.at("theatre_near_sparse_points"));
+  for (const char* method : {"sparse", "dense"})
+    QVERIFY(proof->figures.at(std::string("theatre_near_") + method + "_points") > 100.0);
   QVERIFY(proof->figures.at("theatre_near_sparse_median_mm") < 0.5);
   QCOMPARE(std::ranges::count(read_file(folder.path() / "theatre.csv"), '\n'), 3);
+}
+
+void ProofRunsTest::TheOverlayStaysWithoutAFault() {
+  const TemporaryFolder folder;
+  LiveProofOptions options;
+  options.seeds = {101};
+  options.frames = 60;
+  options.only = "none";
+  const auto proof = prove_live(options, folder.path(), RunContext());
+  QVERIFY(proof);
+  QCOMPARE(proof->figures.at("live_near_sound_valid_share"), 1.0);
+  QCOMPARE(proof->figures.at("live_far_frames"), 0.0);
+  QVERIFY(proof->figures.at("live_of_frozen_share") < 0.5);
+  QVERIFY(!proof->figures.contains("live_tissue_far_frames"));
+  QVERIFY(std::ranges::count(proof->absent, "stereo_opencas") == 1 &&
+          std::ranges::count(proof->absent, "stereo_heart") == 1);
+  const std::string frames = read_file(folder.path() / "live.csv");
+  QCOMPARE(std::ranges::count(frames, '\n'), 1 + 59);
+  QVERIFY(read_file(folder.path() / "live.txt").find("none") != std::string::npos);
+  QVERIFY(read_file(folder.path() / "lesions.csv").find(",none,") != std::string::npos);
 }
 
 void ProofRunsTest::APatientGoesFromTheCtToTheModel() {
