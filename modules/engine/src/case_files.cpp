@@ -18,6 +18,7 @@
 #include <sstream>
 #include <utility>
 
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
@@ -253,7 +254,7 @@ bool or_lost(const CaseFolder& folder, const char* code, const std::function<voi
       read();
       return true;
     } catch (const json::exception& failure) {
-      throw InputError((folder.path / "case.json").string(), code,
+      throw InputError((folder.path / kCaseFile).string(), code,
                        std::string("is malformed (") + failure.what() + ")", "Restore the case from a copy");
     }
   } catch (const Error& failure) {

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "glisson/core/file_failure.h"
 #include "glisson/engine/part.h"
@@ -47,7 +48,7 @@ void require_all_own(const fs::path& path, const fs::path& root, std::error_code
 fs::path file_of_case(const fs::path& folder, const char* field, const std::string& named) {
   const fs::path name = fs::path(named).lexically_normal();
   if (name.empty() || name.is_absolute() || *name.begin() == "..")
-    throw InputError((folder / "case.json").string(), field,
+    throw InputError((folder / kCaseFile).string(), field,
                      "names \"" + named.substr(0, 80) + "\", which lies outside the case",
                      "Restore the case from a copy; nothing outside its folder is opened");
   return folder / name;
@@ -57,7 +58,7 @@ void require_own_files(const fs::path& folder) {
   std::error_code failure;
   const fs::path root = fs::canonical(folder, failure);
   // Anything else in the folder is somebody's own, and nobody opens it.
-  std::set<fs::path> names = {"case.json"};
+  std::set<fs::path> names = {kCaseFile};
   for (const fs::path file : files_of_parts()) names.insert(*file.begin());  // a file, or its folder
   for (const fs::path& name : names) {
     if (failure) break;

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "case_manifest.h"
 #include "case_reach.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -82,7 +83,7 @@ Standing standing_of(const VideoSource& video, const VideoSource& as_written, co
 }
 
 InputError refusal(const VideoSource& video, Standing standing, const CaseFolder& folder) {
-  const std::string file = (folder.path / "case.json").string();
+  const std::string file = (folder.path / kCaseFile).string();
   std::string named;
   for (const std::string& source : sources_named_by(video, folder.home))
     named += (named.empty() ? "" : ", ") + source.substr(0, 200);

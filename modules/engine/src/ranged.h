@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 
 namespace glisson::engine {
@@ -20,7 +21,7 @@ inline constexpr double kMostRevisions = 9007199254740992.0;
 template <class Number>
 Number ranged(const std::filesystem::path& folder, const nlohmann::json& entry, const char* field,
               double least, double most) {
-  const std::string file = (folder / "case.json").string();
+  const std::string file = (folder / kCaseFile).string();
   const auto found = entry.find(field);
   if (found == entry.end() || !found->is_number())
     throw InputError(file, field, "is no number", "Restore the case from a copy");

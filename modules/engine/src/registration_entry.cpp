@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case_files.h"
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
 
@@ -19,7 +20,7 @@ Termination termination_of(const json& said, const CaseFolder& folder) {
   for (const auto& [termination, code] : kTerminations)
     if (said == code || (said.is_number_integer() && said == static_cast<int>(termination)))
       return termination;
-  throw InputError((folder.path / "case.json").string(), "termination", "is " + said.dump(),
+  throw InputError((folder.path / kCaseFile).string(), "termination", "is " + said.dump(),
                    "Restore the case from a copy");
 }
 
@@ -41,7 +42,7 @@ std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& fo
                                                             const json& entry,
                                                             const model::BuiltModel* built) {
   if (built == nullptr)
-    throw InputError((folder.path / "case.json").string(), "registration",
+    throw InputError((folder.path / kCaseFile).string(), "registration",
                      "there is no model that it belongs to", "Restore the case from a copy");
   Registration registration = read_registration(folder.path / file, built->model, kUnit);
   registration.termination = termination_of(entry.at("termination"), folder);

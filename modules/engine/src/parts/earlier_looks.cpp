@@ -6,6 +6,7 @@
 #include <string>
 
 #include "case_files.h"
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/keep_look.h"
 #include "glisson/engine/parts/cloud.h"
@@ -31,7 +32,7 @@ json save(const CaseState& state, const CaseFolder& folder) {
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   const auto count = entry.at("count").get<std::int64_t>();
   if (count < 1 || count > static_cast<std::int64_t>(kMostLooks))
-    throw InputError((folder.path / "case.json").string(), "earlier_looks.count",
+    throw InputError((folder.path / kCaseFile).string(), "earlier_looks.count",
                      "is " + std::to_string(count) + ", not between 1 and " + std::to_string(kMostLooks),
                      "Restore the case from a copy");
   EarlierLooks looks;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case_files.h"
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/keep_moment.h"
 #include "glisson/engine/parts/model.h"
@@ -29,7 +30,7 @@ json save(const CaseState& state, const CaseFolder& folder) {
 /// @throws InputError they are not what a save writes.
 std::vector<int> numbers_in(const json& entry, const CaseFolder& folder) {
   const auto refuse = [&folder](const std::string& problem) {
-    throw InputError((folder.path / "case.json").string(), "moments.numbers", problem,
+    throw InputError((folder.path / kCaseFile).string(), "moments.numbers", problem,
                      "Restore the case from a copy");
   };
   const json& list = entry.at("numbers");

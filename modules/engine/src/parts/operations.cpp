@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "case_files.h"
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
@@ -63,7 +64,7 @@ void read_stiffness(registration::OperationOptions& options, const json& entry, 
   for (const auto& [name, modulus] : lesions.items()) {
     const auto label = structure_named(name);
     if (!label)
-      throw InputError((folder.path / "case.json").string(), "operations, lesions, " + name,
+      throw InputError((folder.path / kCaseFile).string(), "operations, lesions, " + name,
                        "names what is no lesion", "Restore the case from a copy");
     options.lesions[*label] = ranged<double>(folder.path, lesions, name.c_str(), 1.0, 1e9);
   }
@@ -92,7 +93,7 @@ std::shared_ptr<const SimulatedOperations> read(const CaseState& state, const js
   known->model = state[part::model];
   known->landmarks = state[part::landmarks];
   if (!known->model)
-    throw InputError((folder.path / "case.json").string(), "operations",
+    throw InputError((folder.path / kCaseFile).string(), "operations",
                      "there is no model that they belong to", "Restore the case from a copy");
   each_option(known->options, [&](const char* name, auto& value, double least, double most) {
     value = ranged<std::remove_reference_t<decltype(value)>>(folder.path, entry, name, least, most);

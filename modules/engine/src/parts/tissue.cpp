@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "case_manifest.h"
 #include "glisson/core/error.h"
 #include "same_value.h"
 
@@ -21,7 +22,7 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
     state[part::tissue] =
         std::make_shared<const fem::Tissue>(fem::tissue_from(entry.at(kField).get<std::string>()));
   } catch (const InputError& failure) {
-    throw InputError((folder.path / "case.json").string(), std::string("tissue, ") + failure.field(),
+    throw InputError((folder.path / kCaseFile).string(), std::string("tissue, ") + failure.field(),
                      failure.problem(), failure.remedy());
   }
 }
