@@ -50,6 +50,7 @@ class TrackReplayTest : public QObject, private test::Program {
   void cleanupTestCase() { remove_folder(); }
 
   void AVideoThatNobodyHasChosenIsGivenByThePerson();
+  void ARightViewThatIsGivenIsTaken();
   void RenderDrawsWhatTheTrackKnew_data();
   void RenderDrawsWhatTheTrackKnew();
   void OverlayDrawsTheWholeFilmAgain();
@@ -168,6 +169,26 @@ void TrackReplayTest::AVideoThatNobodyHasChosenIsGivenByThePerson() {
   const Ran known = run(render + QStringList{"second.png"});
   QVERIFY2(known.code == 0, qPrintable(known.error));
   QCOMPARE(read_file(at("second.png")), read_file(at("first.png")));
+}
+
+/// The case's film has both views side by side; a right view of its own makes it another video.
+void TrackReplayTest::ARightViewThatIsGivenIsTaken() {
+  for (const auto& [name, view] :
+       {std::pair{"left.mkv", &StereoFrame::left}, {"right.mkv", &StereoFrame::right}}) {
+    stereo::VideoWriter writer(at(name), film_.front().left.width, film_.front().left.height, 30.0);
+    for (const StereoFrame& frame : film_) writer.write(frame.*view);
+    writer.close();
+  }
+  const QStringList render = {"render", "--case", "a.glisson", "--track", "tracked", "--frame", "0", "--out"};
+  const Ran apart =
+      run(render + QStringList{"apart.png", "--video", "left.mkv", "--video-right", "right.mkv"});
+  QVERIFY2(apart.code == 0, qPrintable(apart.error));
+  // It was compressed twice.
+  const double off = mean_difference(stereo::read_picture(at("apart.png")), expected(0));
+  QVERIFY2(off < 5.0, qPrintable(QString::number(off)));
+  refused(render + QStringList{"mixed.png", "--video", "film.mkv", "--video-right", "right.mkv"},
+          "right.mkv: is 320x240");
+  QVERIFY(!fs::exists(at("mixed.png")));
 }
 
 void TrackReplayTest::RenderDrawsWhatTheTrackKnew_data() {
