@@ -39,6 +39,7 @@ class RegistrationStageTest : public QObject {
   void LesionsLieDeepAndFarFromEachOther();
   void EachFaultIsInItsCloud();
   void ALookFromElsewhereShowsTheSameOrgan();
+  void MoreThanOneLookShowsIsSeenInSeveral();
   void AMistakenPlaceIsThatFarOff();
   void TrialsAreKeptAndTakenUpAgain();
   void AFileThatHoldsNoTrialsIsRefused();
@@ -124,6 +125,14 @@ void RegistrationStageTest::ALookFromElsewhereShowsTheSameOrgan() {
   // The laparoscope has gone round the organ, which stays about where it was before it.
   const Eigen::RowVector3d middle = stage_->by(0).carry(stage_->model.mesh.vertices).colwise().mean();
   QVERIFY(std::abs(look.points.col(2).mean() - middle.z()) < 80e-3);
+}
+
+void RegistrationStageTest::MoreThanOneLookShowsIsSeenInSeveral() {
+  const ShownLiver one = shown_liver(*stage_, 0, kShare, 9), several = shown_liver(*stage_, 0, 0.5, 9);
+  QVERIFY(one.others.empty() && one.cloud.points == cloud(RegistrationFault::none).points);
+  QVERIFY(!several.others.empty() && several.cloud.size() > 100);
+  QVERIFY(median_off(several.cloud) < 2e-3);
+  for (const LabelledCloud& other : several.others) QVERIFY(other.size() >= 10 && median_off(other) > 2e-3);
 }
 
 void RegistrationStageTest::AMistakenPlaceIsThatFarOff() {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/insilico/handled_liver.h"
 
+#include <Eigen/Geometry>
 #include <QTest>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/insilico/ray_caster.h"
 #include "shapes.h"
 #include "theatre_patient.h"
 
@@ -30,6 +32,7 @@ class HandledLiverTest : public QObject {
   void StaysWhereTheVenaCavaHoldsIt();
   void SameSeedGivesTheSameBits();
   void ThePatchIsOfItsSurface();
+  void ALaparoscopeThatGoesRoundShowsOnlyWhatItSees();
   void WhatHasNoMarginCannotBeLifted();
   void UnusableOptionsAreRefused();
   void CancelGivesNothing();
@@ -74,6 +77,52 @@ void HandledLiverTest::ThePatchIsOfItsSurface() {
   QVERIFY(patch.cloud.normals.rows() == 0);
   // In front of the camera, and all of the organ behind its nearest point.
   QVERIFY(patch.cloud.points.col(2).minCoeff() > 0.1);
+}
+
+/// Of half the surface one camera sees but a part; each point of a look lies before it and nothing lies
+/// between.
+void HandledLiverTest::ALaparoscopeThatGoesRoundShowsOnlyWhatItSees() {
+  HandlingOptions options = small(Handling::turned);
+  options.surface_error_mm = 0.0;
+  const auto handled = HandledLiver::build(patient_, options, RunContext());
+  TriangleMesh surface = patient_.surfaces.front().mesh;
+  surface.vertices = handled->carry(surface.vertices);
+  const Eigen::Vector3d middle = surface.vertices.colwise().mean().transpose();
+  std::vector<Rigid<CameraFrame, CameraFrame>> scopes(1);
+  for (const auto& axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()})
+    for (const double turn : {-0.6, 0.6}) {
+      Rigid<CameraFrame, CameraFrame> scope;
+      scope.rotation = Eigen::AngleAxisd(turn, Eigen::Vector3d(axis)).toRotationMatrix();
+      scope.translation = middle - scope.rotation * middle;
+      scopes.push_back(scope);
+    }
+  PatchOptions sampling;
+  sampling.noise_mm = 0.0;
+  sampling.share = 0.5;
+  // Within 3 mm: the truth's mesh is another than the patient's surface.
+  const auto seen_share = [&](const Points& points, const Rigid<CameraFrame, CameraFrame>& scope) {
+    const RayCaster caster({scope.apply(surface.vertices), surface.triangles});
+    int seen = 0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      seen += caster.sees(Eigen::Vector3d::Zero(), points.row(i).transpose(), 3e-3) ? 1 : 0;
+    return seen / static_cast<double>(points.rows());
+  };
+  QVERIFY(seen_share(handled->patch(sampling).cloud.points, {}) < 0.9);
+  const std::vector<Patch> looks = handled->looks(sampling, scopes);
+  QCOMPARE(looks.size(), scopes.size());
+  int taken = 0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    if (looks[k].cloud.size() == 0) continue;
+    ++taken;
+    sum += looks[k].share;
+    const double share = seen_share(looks[k].cloud.points, scopes[k]);
+    QVERIFY2(share > 0.97, qPrintable(QString("look %1: %2").arg(k).arg(share)));
+  }
+  QVERIFY(taken > 1 && looks[0].share > 0.25 && looks[0].share < 0.5 && sum > 0.5);
+  // What one look shows alone is the plain patch.
+  sampling.share = 0.2;
+  QCOMPARE(handled->looks(sampling, {{}}).front().cloud.points, handled->patch(sampling).cloud.points);
 }
 
 void HandledLiverTest::WhatHasNoMarginCannotBeLifted() {

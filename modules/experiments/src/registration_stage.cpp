@@ -129,6 +129,21 @@ void mislabel(LabelledCloud& cloud) {
   }
 }
 
+/// Where the laparoscope is when it has gone round the organ's middle by 35 degrees: from its former camera's
+/// frame into its present one. @param way radians in the picture. @param shift metres.
+Rigid<CameraFrame, CameraFrame> gone_round(const RegistrationStage& stage, std::size_t handling, double way,
+                                           double roll, const Eigen::Vector3d& shift) {
+  constexpr double kTurn = 35.0 * std::numbers::pi / 180.0;
+  const Eigen::Vector3d middle =
+      stage.by(handling).carry(stage.model.mesh.vertices).colwise().mean().transpose();
+  const Eigen::Vector3d across(std::cos(way), std::sin(way), 0.0);
+  Rigid<CameraFrame, CameraFrame> scope;
+  scope.rotation = (Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(kTurn, across))
+                       .toRotationMatrix();
+  scope.translation = middle - scope.rotation * middle + shift;
+  return scope;
+}
+
 }  // namespace
 
 Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const std::filesystem::path& data,
@@ -211,19 +226,35 @@ LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationSta
 
 LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t handling, double share,
                                   std::uint64_t seed) {
-  constexpr double kTurn = 35.0 * std::numbers::pi / 180.0, kRoll = 0.3, kShift = 15e-3;
+  constexpr double kRoll = 0.3, kShift = 15e-3;
   std::mt19937_64 random(seed);
-  const Eigen::Vector3d middle =
-      stage.by(handling).carry(stage.model.mesh.vertices).colwise().mean().transpose();
-  const double way = 2.0 * std::numbers::pi * uniform01(random);
-  const Eigen::Vector3d across(std::cos(way), std::sin(way), 0.0);
-  Rigid<CameraFrame, CameraFrame> scope;
-  scope.rotation = (Eigen::AngleAxisd(kRoll * standard_normal(random), Eigen::Vector3d::UnitZ()) *
-                    Eigen::AngleAxisd(kTurn, across))
-                       .toRotationMatrix();
+  const double way = 2.0 * std::numbers::pi * uniform01(random), roll = kRoll * standard_normal(random);
   const Eigen::Vector3d shift = standard_normal3(random);
-  scope.translation = middle - scope.rotation * middle + kShift * shift;
-  return without_known_noise(stage.by(handling).patch(seen(share, kNoise, seed), scope).cloud);
+  return without_known_noise(
+      stage.by(handling)
+          .patch(seen(share, kNoise, seed), gone_round(stage, handling, way, roll, kShift * shift))
+          .cloud);
+}
+
+ShownLiver shown_liver(const RegistrationStage& stage, std::size_t handling, double share,
+                       std::uint64_t seed) {
+  constexpr double kOneLook = 0.4;
+  if (share <= kOneLook)
+    return {faulty_cloud(stage, stage, handling, share, RegistrationFault::none, seed), {}};
+  std::vector<Rigid<CameraFrame, CameraFrame>> scopes(1);
+  for (int side = 0; side < 4; ++side)
+    scopes.push_back(
+        gone_round(stage, handling, 0.5 * std::numbers::pi * side, 0.0, Eigen::Vector3d::Zero()));
+  ShownLiver shown;
+  for (insilico::Patch& look : stage.by(handling).looks(seen(share, kNoise, seed), scopes)) {
+    if (look.cloud.size() == 0) continue;
+    LabelledCloud cloud = without_known_noise(std::move(look.cloud));
+    if (shown.cloud.size() == 0)
+      shown.cloud = std::move(cloud);
+    else
+      shown.others.push_back(std::move(cloud));
+  }
+  return shown;
 }
 
 CameraFromCt mistaken(const RegistrationStage& stage, std::size_t handling) {

@@ -70,6 +70,15 @@ LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationSta
 /// in its new camera's frame, with noise, outliers and holes of its own.
 LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t handling, double share,
                                   std::uint64_t seed);
+/// A liver of which nothing is wrong, as one look shows it, or several, of which nobody knows from where.
+struct ShownLiver {
+  LabelledCloud cloud;
+  std::vector<LabelledCloud> others;  ///< each in its own camera's frame
+};
+/// Up to two fifths of the surface are one look's; more than that no camera sees at once, and the laparoscope
+/// goes round the organ's middle by 35 degrees, to all four sides.
+ShownLiver shown_liver(const RegistrationStage& stage, std::size_t handling, double share,
+                       std::uint64_t seed);
 /// Where the liver would be looked for by somebody who mistook it: 35 mm and 40 degrees off.
 CameraFromCt mistaken(const RegistrationStage& stage, std::size_t handling);
 

@@ -50,7 +50,7 @@ class Trials {
         lesions_(bind_points(stage.model.mesh, stage.lesions, false)),
         registrar_(stage, context) {}
 
-  bool run(const LabelledCloud& cloud, std::size_t handling, double share, RegistrationFault fault) {
+  bool run(const ShownLiver& shown, std::size_t handling, double share, RegistrationFault fault) {
     RegistrationTrial trial;
     trial.patient = stage_.patient.name;
     trial.set = stage_.patient.set;
@@ -59,6 +59,7 @@ class Trials {
     trial.fault = fault;
     if (log_.has(trial)) return true;
     registration::RegisterOptions options;
+    options.looks = shown.others;
     if (fault == RegistrationFault::wrong_start) {
       options.start = registration::RegisterOptions::Start::given;
       options.given = mistaken(stage_, handling);
@@ -66,7 +67,7 @@ class Trials {
     trial.rigid_mean = rigid_mean(handling);
     const Stopwatch watch;
     try {
-      const auto examined = registrar_.run(cloud, options);
+      const auto examined = registrar_.run(shown.cloud, options);
       if (!examined) return false;
       const registration::Registered* made = &examined->registered;
       trial.doubts = made->registration.doubts;
@@ -79,7 +80,7 @@ class Trials {
     }
     trial.seconds = watch.seconds();
     const bool compares = fault == RegistrationFault::none && share == kFaultShare;
-    if (options_.rivals && compares && !add_paper(cloud, handling, trial)) return false;
+    if (options_.rivals && compares && !add_paper(shown.cloud, handling, trial)) return false;
     log_.add(std::move(trial));
     return true;
   }
@@ -189,16 +190,15 @@ void run_trials(const RegistrationStage& stage, const RegistrationStage& other,
   const auto seed = [&](std::size_t k) { return options.seed + 1000 * (number + 1) + k; };
   for (std::size_t handling = 0; handling < stage.handled.size(); ++handling)
     for (std::size_t s = 0; s < options.shares.size(); ++s) {
-      const LabelledCloud cloud = faulty_cloud(stage, other, handling, options.shares[s],
-                                               RegistrationFault::none, seed(10 * handling + s));
-      if (!trials.run(cloud, handling, options.shares[s], RegistrationFault::none)) return;
+      const ShownLiver shown = shown_liver(stage, handling, options.shares[s], seed(10 * handling + s));
+      if (!trials.run(shown, handling, options.shares[s], RegistrationFault::none)) return;
     }
   for (const RegistrationFault fault : kRegistrationFaults) {
     if (fault == RegistrationFault::none) continue;
     const auto k = static_cast<std::size_t>(fault);
     const std::size_t handling = (number + k) % stage.handled.size();
     const LabelledCloud cloud = faulty_cloud(stage, other, handling, kFaultShare, fault, seed(100 + k));
-    if (!trials.run(cloud, handling, kFaultShare, fault)) break;
+    if (!trials.run({cloud, {}}, handling, kFaultShare, fault)) break;
   }
 }
 

@@ -190,16 +190,41 @@ Points HandledLiver::carry(const Points& points) const {
   return bind_points(impl_->mesh, points, false).apply(impl_->mesh, impl_->nodes);
 }
 
+namespace {
+
+/// Where the camera's axis meets the organ, or as deep as the organ lies.
+Eigen::Vector3d looked_at(const TriangleMesh& surface, const RayCaster& caster) {
+  const RayHit hit = caster.cast(Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ());
+  return {0.0, 0.0,
+          hit.thing == RayHit::Thing::organ ? static_cast<double>(hit.parameter)
+                                            : surface.vertices.col(2).mean()};
+}
+
+}  // namespace
+
 Patch HandledLiver::patch(const PatchOptions& options, const Rigid<CameraFrame, CameraFrame>& scope) const {
   options.validate();
   const TriangleMesh surface{scope.apply(impl_->surface.vertices), impl_->surface.triangles};
   const RayCaster caster(surface);
-  const RayHit hit = caster.cast(Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ());
-  const double depth =
-      hit.thing == RayHit::Thing::organ ? static_cast<double>(hit.parameter) : surface.vertices.col(2).mean();
-  return sample_patch(surface, caster, Eigen::Vector3d(0.0, 0.0, depth),
+  return sample_patch(surface, caster, looked_at(surface, caster),
                       scope.apply(carry(impl_->landmarks.anterior_margin)),
                       scope.apply(carry(impl_->landmarks.umbilical_notch)), options);
+}
+
+std::vector<Patch> HandledLiver::looks(const PatchOptions& options,
+                                       const std::vector<Rigid<CameraFrame, CameraFrame>>& scopes) const {
+  require(!scopes.empty(), "a laparoscope looks from somewhere");
+  const RayCaster caster(impl_->surface);
+  std::vector<Eigen::Vector3d> eyes;
+  for (const auto& scope : scopes) eyes.emplace_back(scope.inverse().translation);
+  std::vector<Patch> looks = sample_looks(impl_->surface, caster, looked_at(impl_->surface, caster),
+                                          carry(impl_->landmarks.anterior_margin),
+                                          carry(impl_->landmarks.umbilical_notch), options, eyes);
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    Points& points = looks[k].cloud.points;
+    points = scopes[k].apply(points);
+  }
+  return looks;
 }
 
 }  // namespace glisson::insilico

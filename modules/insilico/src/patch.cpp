@@ -16,12 +16,15 @@ namespace {
 struct Face {
   Eigen::Vector3d centre;
   double area = 0.0;
-  int tier = 2;  ///< 0: seen from the camera; 1: faces it; 2: neither
+  int tier =
+      2;  ///< 0: seen from the camera; 1: faces it; 2: neither. Of several cameras: the first that sees it
   std::vector<int> neighbours;
 };
 
-std::vector<Face> faces_of(const TriangleMesh& surface, const RayCaster& caster) {
-  const Points normals = triangle_normals(surface);
+constexpr double kFacing = 0.1;  ///< cosine: a flatter triangle shows nothing
+
+/// Their tiers are not told yet.
+std::vector<Face> faces_of(const TriangleMesh& surface) {
   const Eigen::VectorXd areas = triangle_areas(surface);
   std::vector<Face> faces(static_cast<std::size_t>(surface.triangle_count()));
   for (int t = 0; t < surface.triangle_count(); ++t) {
@@ -30,9 +33,6 @@ std::vector<Face> faces_of(const TriangleMesh& surface, const RayCaster& caster)
                    surface.vertex(surface.triangles(t, 2))) /
                   3.0;
     face.area = areas[t];
-    const double facing = -normals.row(t).dot(face.centre.normalized());
-    if (facing > 0.0) face.tier = 1;
-    if (facing > 0.1 && caster.sees(Eigen::Vector3d::Zero(), face.centre)) face.tier = 0;
   }
   for (const Edge& edge : edges(surface)) {
     if (edge.left < 0 || edge.right < 0) continue;
@@ -40,6 +40,16 @@ std::vector<Face> faces_of(const TriangleMesh& surface, const RayCaster& caster)
     faces[static_cast<std::size_t>(edge.right)].neighbours.push_back(edge.left);
   }
   return faces;
+}
+
+/// Cosine of the angle under which each triangle is seen; below 0: from behind.
+std::vector<double> facing(const std::vector<Face>& faces, const Points& normals,
+                           const Eigen::Vector3d& eye) {
+  std::vector<double> cosines;
+  cosines.reserve(faces.size());
+  for (std::size_t t = 0; t < faces.size(); ++t)
+    cosines.push_back(-normals.row(static_cast<Eigen::Index>(t)).dot((faces[t].centre - eye).normalized()));
+  return cosines;
 }
 
 int first_face(const std::vector<Face>& faces, const Eigen::Vector3d& start) {
@@ -54,14 +64,14 @@ int first_face(const std::vector<Face>& faces, const Eigen::Vector3d& start) {
   return best;
 }
 
-/// Dijkstra over the faces; a worse tier waits until the better ones are used up.
-std::vector<int> grow(const std::vector<Face>& faces, int start, double wanted_area, double& area) {
+/// Dijkstra over the faces; a worse tier waits until the better ones are used up. @param worst that is taken.
+std::vector<int> grow(const std::vector<Face>& faces, int start, double wanted_area, int worst) {
   using Entry = std::tuple<int, double, int>;  // worst tier on the way, length of the way, face
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<char> taken(faces.size(), 0);
   std::vector<int> patch;
   open.emplace(faces[static_cast<std::size_t>(start)].tier, 0.0, start);
-  area = 0.0;
+  double area = 0.0;
   while (!open.empty() && area < wanted_area) {
     const auto [tier, length, t] = open.top();
     open.pop();
@@ -72,7 +82,7 @@ std::vector<int> grow(const std::vector<Face>& faces, int start, double wanted_a
     area += face.area;
     for (const int other : face.neighbours) {
       const Face& next = faces[static_cast<std::size_t>(other)];
-      if (taken[static_cast<std::size_t>(other)] == 0)
+      if (taken[static_cast<std::size_t>(other)] == 0 && next.tier <= worst)
         open.emplace(std::max(tier, next.tier), length + (next.centre - face.centre).norm(), other);
     }
   }
@@ -111,15 +121,24 @@ void PatchOptions::validate() const {
   check(margin_mm >= 0.0 && notch_mm >= 0.0, "margin_mm", margin_mm, "give a width of 0 or more");
 }
 
-Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const Eigen::Vector3d& start,
-                   const Points& margin, const Points& notch, const PatchOptions& options) {
-  options.validate();
-  Hand hand(options.seed);
-  const std::vector<Face> faces = faces_of(surface, caster);
-  double area = 0.0, total = 0.0;
-  for (const Face& face : faces) total += face.area;
-  const std::vector<int> patch = grow(faces, first_face(faces, start), options.share * total, area);
+namespace {
 
+double area_of(const std::vector<Face>& faces, const std::vector<int>& which) {
+  double area = 0.0;
+  for (const int t : which) area += faces[static_cast<std::size_t>(t)].area;
+  return area;
+}
+
+double area_of(const std::vector<Face>& faces) {
+  double area = 0.0;
+  for (const Face& face : faces) area += face.area;
+  return area;
+}
+
+/// Points of the faces named.
+LabelledCloud sampled(const TriangleMesh& surface, const std::vector<Face>& faces,
+                      const std::vector<int>& patch, const Points& margin, const Points& notch,
+                      const PatchOptions& options, Hand& hand) {
   std::vector<double> up_to;  // area up to each face, for the lottery
   up_to.reserve(patch.size());
   for (double sum = 0.0; const int t : patch) up_to.push_back(sum += faces[static_cast<std::size_t>(t)].area);
@@ -132,10 +151,9 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
   for (int h = 0; h < options.holes; ++h)
     holes.push_back(faces[static_cast<std::size_t>(draw_face())].centre);
 
-  const auto count = static_cast<Eigen::Index>(std::lround(1e4 * area * options.density_per_cm2));
-  Patch result;
-  result.share = area / total;
-  LabelledCloud& cloud = result.cloud;
+  const auto count =
+      static_cast<Eigen::Index>(std::lround(1e4 * area_of(faces, patch) * options.density_per_cm2));
+  LabelledCloud cloud;
   cloud.points.resize(count, 3);
   cloud.features.reserve(static_cast<std::size_t>(count));
   cloud.sigma.reserve(static_cast<std::size_t>(count));
@@ -159,7 +177,58 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
     cloud.sigma.push_back(1e-3 * options.noise_mm);
   }
   cloud.points.conservativeResize(kept, 3);
-  return result;
+  return cloud;
+}
+
+}  // namespace
+
+Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const Eigen::Vector3d& start,
+                   const Points& margin, const Points& notch, const PatchOptions& options) {
+  options.validate();
+  Hand hand(options.seed);
+  std::vector<Face> faces = faces_of(surface);
+  const std::vector<double> cosines = facing(faces, triangle_normals(surface), Eigen::Vector3d::Zero());
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    if (cosines[t] > 0.0) faces[t].tier = 1;
+    if (cosines[t] > kFacing && caster.sees(Eigen::Vector3d::Zero(), faces[t].centre)) faces[t].tier = 0;
+  }
+  const double total = area_of(faces);
+  const std::vector<int> patch = grow(faces, first_face(faces, start), options.share * total, 2);
+  return {sampled(surface, faces, patch, margin, notch, options, hand), area_of(faces, patch) / total};
+}
+
+std::vector<Patch> sample_looks(const TriangleMesh& surface, const RayCaster& caster,
+                                const Eigen::Vector3d& start, const Points& margin, const Points& notch,
+                                const PatchOptions& options, const std::vector<Eigen::Vector3d>& eyes) {
+  options.validate();
+  Hand hand(options.seed);
+  constexpr double kAdds = 0.01;  // of the surface: a look that shows less anew is not taken
+  std::vector<Face> faces = faces_of(surface);
+  const int count = static_cast<int>(eyes.size());
+  for (Face& face : faces) face.tier = count;
+  std::vector<std::vector<char>> seen(eyes.size(), std::vector<char>(faces.size(), 0));
+  for (int look = count - 1; look >= 0; --look) {
+    const Eigen::Vector3d& eye = eyes[static_cast<std::size_t>(look)];
+    const std::vector<double> cosines = facing(faces, triangle_normals(surface), eye);
+    for (std::size_t t = 0; t < faces.size(); ++t)
+      if (cosines[t] > kFacing && caster.sees(eye, faces[t].centre))
+        seen[static_cast<std::size_t>(look)][t] = 1, faces[t].tier = look;
+  }
+  const double total = area_of(faces);
+  const std::vector<int> patch = grow(faces, first_face(faces, start), options.share * total, count - 1);
+  std::vector<double> anew(eyes.size(), 0.0);
+  for (const int t : patch)
+    anew[static_cast<std::size_t>(faces[static_cast<std::size_t>(t)].tier)] +=
+        faces[static_cast<std::size_t>(t)].area;
+  std::vector<Patch> looks(eyes.size());
+  for (std::size_t look = 0; look < eyes.size(); ++look) {
+    if (look > 0 && anew[look] < kAdds * total) continue;
+    std::vector<int> mine;
+    std::copy_if(patch.begin(), patch.end(), std::back_inserter(mine),
+                 [&](int t) { return seen[look][static_cast<std::size_t>(t)] != 0; });
+    looks[look] = {sampled(surface, faces, mine, margin, notch, options, hand), area_of(faces, mine) / total};
+  }
+  return looks;
 }
 
 }  // namespace glisson::insilico

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/insilico/theatre.h"
@@ -60,6 +61,13 @@ class HandledLiver {
   /// @param scope how the laparoscope has moved before: from the camera's former frame into its present one,
   /// in which the patch is given.
   Patch patch(const PatchOptions& options, const Rigid<CameraFrame, CameraFrame>& scope = {}) const;
+  /// The same of a laparoscope that goes round: a patch of what it sees from anywhere on its way, from the
+  /// first place first, and what it sees of that from each. What it never sees is left out: it may be less
+  /// than is wanted.
+  /// @param scopes where it is, as for patch(); the first of them where it stands. @return a cloud for each
+  /// place, in that place's camera frame; empty where it adds less than a hundredth of the surface.
+  std::vector<Patch> looks(const PatchOptions& options,
+                           const std::vector<Rigid<CameraFrame, CameraFrame>>& scopes) const;
 
  private:
   struct Impl;
