@@ -9371,8 +9371,8 @@
         <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil; pulled: zwei Organe jeder Art.</translation>
     </message>
     <message>
-        <source>registration: keep what DIR/registration_SEED.csv holds already.</source>
-        <translation>registration: behalten, was DIR/registration_SEED.csv schon enthält.</translation>
+        <source>registration: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
+        <translation>registration: behält, was DIR/registration_SEED.csv von einem abgebrochenen Lauf schon enthält.</translation>
     </message>
     <message>
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>

@@ -9371,8 +9371,8 @@
         <translation>registration : deux patients de chaque ensemble et une seule part visible ; pulled : deux organes de chaque sorte.</translation>
     </message>
     <message>
-        <source>registration: keep what DIR/registration_SEED.csv holds already.</source>
-        <translation>registration : garder ce que DIR/registration_SEED.csv contient déjà.</translation>
+        <source>registration: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
+        <translation>registration : garde ce que DIR/registration_SEED.csv contient d’une exécution interrompue.</translation>
     </message>
     <message>
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>

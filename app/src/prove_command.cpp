@@ -43,7 +43,7 @@ experiments::ProofChoices choices_of(const Arguments& arguments) {
   choices.development_only = arguments.has("development-only");
   choices.quick = arguments.has("quick");
   choices.looks = arguments.has("looks");
-  choices.resume = arguments.has("resume");
+  if (arguments.has("resume")) choices.former = arguments.required_path("out");
   choices.built_in = ui::built_in_atlas;
   return choices;
 }
@@ -75,7 +75,9 @@ void declare_prove(Arguments& arguments) {
   arguments.flag("looks",
                  Cli::tr("registration: only whether one more look helps, where it is said to help most and "
                          "joined from an unknown place."));
-  arguments.flag("resume", Cli::tr("registration: keep what DIR/registration_SEED.csv holds already."));
+  arguments.flag("resume",
+                 Cli::tr("registration: keep what DIR/registration_SEED.csv holds of a run that was cut "
+                         "short."));
   arguments.option(
       "figures",
       Cli::tr("Folder for the page with the figures. In a checkout they go to packaging/figures, "
@@ -105,7 +107,10 @@ int run_prove(const QStringList& given) {
   Session session(arguments);
   const experiments::ProofChoices choices = choices_of(arguments);
   const auto found = proof->run(choices, folder.path(), session.context());
-  if (!found) throw Interrupted();
+  if (!found) {
+    if (!fs::is_empty(folder.path())) folder.commit(false);
+    throw Interrupted();
+  }
   for (const std::string& line : found->table) say(QString::fromStdString(line));
   session.figures = found->figures;
   session.notes = found->notes;

@@ -333,6 +333,11 @@ void StereoCommandsTest::ProofsRefuseWrongUsage() {
   write_text(at("p"), "a file");
   refused({"prove", "stereo", "--out", "p"}, "is a file");
   refused({"prove", "stereo", "--out", "q", "--seed", "one"}, "--seed", 2);
+  // What a run that was cut short has left is read from the folder itself, before anything is computed.
+  fs::create_directory(at("cut_short"));
+  write_text(at("cut_short/registration_1.csv"), "set,patient\nnobody,nothing\n");
+  refused({"prove", "registration", "--out", "cut_short", "--resume"},
+          "cut_short/registration_1.csv: line 2");
 }
 
 void StereoCommandsTest::AProofWithoutItsDataIsNoSuccess() {

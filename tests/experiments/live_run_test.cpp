@@ -125,8 +125,8 @@ void LiveRunTest::TheFirstFrameIsThePair() {
   }
 }
 
-/// Against the depth that the theatre knows: 5, 10, 15 and 20 mm along the rays from the lens. The relief is smoother
-/// than the tissue.
+/// Against the depth that the theatre knows: 5, 10, 15 and 20 mm along the rays from the lens. The relief is
+/// smoother than the tissue.
 void LiveRunTest::TargetsLieAsDeepAsIsSaid() {
   QCOMPARE(stage_.targets_in_model.rows(), 4);
   for (Eigen::Index i = 0; i < 4; ++i) {

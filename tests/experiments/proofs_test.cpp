@@ -49,7 +49,7 @@ void ProofsTest::EachProofHasItsNameItsPageAndItsAims() {
 void ProofsTest::ThePageSaysHowItIsMeasuredAgain() {
   const Proof& proof = *proof_named("registration");
   ProofChoices choices;
-  choices.resume = true;  // says nothing of what is measured
+  choices.former = "cut_short";  // says nothing of what is measured
   QCOMPARE(page_of(proof, choices, {}).command, std::string("glisson prove registration --seed 1"));
   choices.real_only = choices.development_only = choices.quick = choices.looks = true;
   choices.seed = 7;

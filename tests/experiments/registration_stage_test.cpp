@@ -147,7 +147,7 @@ void RegistrationStageTest::AMistakenPlaceIsThatFarOff() {
 void RegistrationStageTest::TrialsAreKeptAndTakenUpAgain() {
   const TemporaryFolder folder;
   const fs::path csv = folder.path() / "trials.csv";
-  TrialLog log(csv, false);
+  TrialLog log(csv);
   for (const RegistrationFault fault : kRegistrationFaults)
     if (fault != RegistrationFault::none && fault != RegistrationFault::wrong_start)
       log.add(made_up(fault, kShare));
@@ -166,7 +166,7 @@ void RegistrationStageTest::TrialsAreKeptAndTakenUpAgain() {
   QVERIFY(sound.worst_lesion() >= sound.lesions[0] && sound.seconds > 0.0);
   QVERIFY(wrong.fault == RegistrationFault::wrong_start && std::isnan(wrong.paper_mean));
 
-  TrialLog again(csv, true);
+  TrialLog again(csv, csv);  // in its own place
   QVERIFY(again.has(sound) && again.has(wrong));
   run_trials(*stage_, *stage_, options, 0, again, RunContext());
   QCOMPARE(again.trials().size(), all.size());
@@ -177,8 +177,9 @@ void RegistrationStageTest::AFileThatHoldsNoTrialsIsRefused() {
   const TemporaryFolder folder;
   const fs::path csv = folder.path() / "trials.csv";
   write_file_atomically(csv, "a,b\n1,2\n");
-  QVERIFY_THROWS_EXCEPTION(InputError, TrialLog(csv, true));
-  QVERIFY(TrialLog(csv, false).trials().empty());
+  QVERIFY_THROWS_EXCEPTION(InputError, TrialLog(csv, csv));
+  QVERIFY(TrialLog(csv).trials().empty());
+  QVERIFY(TrialLog(csv, folder.path() / "none.csv").trials().empty());
 }
 
 void RegistrationStageTest::OneMoreLookIsHeldAgainstTheTruth() {
@@ -209,8 +210,9 @@ void RegistrationStageTest::AProofOfTrialsThatAreThereNeedsNoMore() {
   RegistrationProofOptions options;
   options.only = patient().name;
   options.shares = {kShare};
-  options.resume = true;
-  TrialLog log(folder.path() / "registration_1.csv", false);
+  const TemporaryFolder before;
+  options.former = before.path();
+  TrialLog log(before.path() / "registration_1.csv");
   for (const insilico::Handling handling : insilico::kHandlings)
     for (const RegistrationFault fault : kRegistrationFaults) {
       RegistrationTrial trial = made_up(fault, kShare);

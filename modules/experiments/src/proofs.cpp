@@ -79,7 +79,7 @@ Cancellable<Proven> run_registration(const ProofChoices& choices, const fs::path
   options.seed = choices.seed;
   options.data = choices.data;
   options.validation = !choices.development_only;
-  options.resume = choices.resume;
+  options.former = choices.former;
   options.looks_alone = choices.looks;
   return proven_of(prove_registration(options, folder, context));
 }

@@ -105,6 +105,9 @@ void RegistrationProofOptions::validate() const {
 Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,
                                                   const fs::path& folder, const RunContext& context) {
   options.validate();
+  // A file a seed: what another seed gave is no registration of this run.
+  const std::string csv = "registration_" + std::to_string(options.seed) + ".csv";
+  TrialLog log(folder / csv, options.former.empty() ? fs::path() : options.former / csv);
   RegistrationProof proof;
   const std::vector<ProofPatient> patients = chosen_patients(options, proof.absent);
   std::vector<std::optional<RegistrationStage>> built(patients.size());
@@ -116,8 +119,6 @@ Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions
   std::vector<RegistrationStage> stages;
   for (auto& stage : built) stages.push_back(std::move(*stage));
   if (options.looks_alone) return prove_looks(stages, options, std::move(proof), context.part(0.2, 1.0));
-  // A file a seed: what another seed gave is no registration of this run.
-  TrialLog log(folder / ("registration_" + std::to_string(options.seed) + ".csv"), options.resume);
   const bool all_done =
       on_threads(options.threads, stages.size(), context.part(0.2, 1.0), [&](std::size_t i) {
         run_trials(stages[i], stages[another(stages, i)], options, i, log, context.quiet());

@@ -27,9 +27,9 @@ struct RegistrationProofOptions {
   std::string only;  ///< patients whose name contains this; empty: all
   int patients = 0;  ///< of either set, the first ones; 0: all
   int threads = 2;   ///< 1 or 2, patient by patient
-  /// Registrations that the folder's registration_SEED.csv holds already, of a run that was cut short, are
-  /// taken from there.
-  bool resume = false;
+  /// Registrations that this folder's registration_SEED.csv holds, of a run that was cut short, are taken
+  /// from there. Empty: none.
+  std::filesystem::path former;
   /// Few trials: to see whether it runs.
   static RegistrationProofOptions quick();
   /// @throws InputError naming the option.

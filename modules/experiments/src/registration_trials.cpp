@@ -160,8 +160,8 @@ void RegistrationTrial::cover() {
   }
 }
 
-TrialLog::TrialLog(std::filesystem::path csv, bool resume) : csv_(std::move(csv)) {
-  if (resume && std::filesystem::exists(csv_)) trials_ = trials_of(read_file(csv_), csv_);
+TrialLog::TrialLog(std::filesystem::path csv, const std::filesystem::path& former) : csv_(std::move(csv)) {
+  if (!former.empty() && std::filesystem::exists(former)) trials_ = trials_of(read_file(former), former);
 }
 
 bool TrialLog::has(const RegistrationTrial& trial) const {

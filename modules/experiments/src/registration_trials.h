@@ -37,8 +37,9 @@ struct RegistrationTrial {
 /// What was tried so far, in a file. Thread-safe.
 class TrialLog {
  public:
-  /// @param resume begins with what the file holds. @throws FileError when it cannot be read; as trials_of.
-  TrialLog(std::filesystem::path csv, bool resume);
+  /// @param former begins with what that file holds, where it is there; empty: with nothing. @throws
+  /// FileError when it cannot be read; as trials_of.
+  explicit TrialLog(std::filesystem::path csv, const std::filesystem::path& former = {});
   /// Whether a trial of the same patient, handling, share and fault is there.
   bool has(const RegistrationTrial& trial) const;
   /// @throws FileError when it cannot be written.

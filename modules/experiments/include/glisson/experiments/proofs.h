@@ -30,7 +30,8 @@ struct ProofChoices {
   bool development_only = false;  ///< no validation patients
   bool quick = false;             ///< few trials
   bool looks = false;             ///< of registration: whether one more look helps, and nothing else
-  bool resume = false;            ///< of registration: what the folder holds already is kept
+  /// Of registration: what this folder of a run that was cut short holds is kept. Empty: none.
+  std::filesystem::path former;
   /// The atlas that comes with the program; called by the proof that needs it.
   std::function<std::shared_ptr<const atlas::Atlas>()> built_in;
 };
@@ -51,7 +52,8 @@ struct Proof {
   /// What the introduction ends with: whether limits were set on those who are measured. Null: nothing.
   std::string (*whom)(const ProofChoices& choices);
   const std::vector<Aim>& (*aims)();  ///< that it is measured against
-  /// Minutes to hours. Leaves what is worth a look in `folder`, which exists. Empty: cancelled.
+  /// Minutes to hours. Leaves what is worth a look in `folder`, which exists. Empty: cancelled; what was
+  /// finished is there.
   /// @throws InputError naming a choice that cannot be; Error of any stage.
   Cancellable<Proven> (*run)(const ProofChoices& choices, const std::filesystem::path& folder,
                              const RunContext& context);
