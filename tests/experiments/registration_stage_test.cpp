@@ -9,6 +9,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/statistics.h"
 #include "glisson/geometry/distance.h"
 #include "registration_joined.h"
 #include "registration_looks.h"
@@ -58,8 +59,7 @@ class RegistrationStageTest : public QObject {
   double median_off(const LabelledCloud& cloud) const {
     std::vector<double> all = off(cloud);
     for (double& one : all) one = std::abs(one);
-    std::nth_element(all.begin(), all.begin() + static_cast<long>(all.size() / 2), all.end());
-    return all[all.size() / 2];
+    return upper_median(std::move(all));
   }
   LabelledCloud cloud(RegistrationFault fault) const {
     return faulty_cloud(*stage_, *stage_, 0, kShare, fault, 9);
