@@ -6,6 +6,7 @@
 #include <QTest>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
