@@ -16,8 +16,8 @@ namespace {
 struct Face {
   Eigen::Vector3d centre;
   double area = 0.0;
-  int tier =
-      2;  ///< 0: seen from the camera; 1: faces it; 2: neither. Of several cameras: the first that sees it
+  /// 0: seen from the camera; 1: faces it; 2: neither. Of several cameras: the first that sees it.
+  int tier = 2;
   std::vector<int> neighbours;
 };
 
@@ -214,6 +214,8 @@ std::vector<Patch> sample_looks(const TriangleMesh& surface, const RayCaster& ca
       if (cosines[t] > kFacing && caster.sees(eye, faces[t].centre))
         seen[static_cast<std::size_t>(look)][t] = 1, faces[t].tier = look;
   }
+  require(std::ranges::any_of(faces, [](const Face& face) { return face.tier == 0; }),
+          "the first camera sees the organ");
   const double total = area_of(faces);
   const std::vector<int> patch = grow(faces, first_face(faces, start), options.share * total, count - 1);
   std::vector<double> anew(eyes.size(), 0.0);

@@ -14,8 +14,8 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
 
 /// The same over what any of several cameras sees, of the first first; then what each of them sees of it. All
 /// in the first camera's frame. What none sees is left out: the patch may be smaller than is wanted.
-/// @param eyes the cameras, the first of them in the origin. @return a cloud each, empty of those that add
-/// nothing.
+/// @pre the first sees something. @param eyes the cameras, the first of them in the origin. @return a cloud
+/// each, empty of those that add nothing.
 std::vector<Patch> sample_looks(const TriangleMesh& surface, const RayCaster& caster,
                                 const Eigen::Vector3d& start, const Points& margin, const Points& notch,
                                 const PatchOptions& options, const std::vector<Eigen::Vector3d>& eyes);
