@@ -107,6 +107,7 @@ class Proof {
 
   bool synthetic(const RunContext& context) {
     std::vector<Member> members;
+    members.reserve(static_cast<std::size_t>(options_.livers));
     for (int i = 0; i < options_.livers; ++i)
       members.push_back(synthetic_member(kFirstSeed + options_.seed * 100 + static_cast<std::uint64_t>(i)));
     const auto result = built(members, context);

@@ -117,6 +117,7 @@ Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions
       });
   if (!all_built) return std::nullopt;
   std::vector<RegistrationStage> stages;
+  stages.reserve(built.size());
   for (auto& stage : built) stages.push_back(std::move(*stage));
   if (options.looks_alone) return prove_looks(stages, options, std::move(proof), context.part(0.2, 1.0));
   const bool all_done =

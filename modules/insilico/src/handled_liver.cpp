@@ -216,6 +216,7 @@ std::vector<Patch> HandledLiver::looks(const PatchOptions& options,
   require(!scopes.empty(), "a laparoscope looks from somewhere");
   const RayCaster caster(impl_->surface);
   std::vector<Eigen::Vector3d> eyes;
+  eyes.reserve(scopes.size());
   for (const auto& scope : scopes) eyes.emplace_back(scope.inverse().translation);
   std::vector<Patch> looks = sample_looks(impl_->surface, caster, looked_at(impl_->surface, caster),
                                           carry(impl_->landmarks.anterior_margin),
