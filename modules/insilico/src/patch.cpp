@@ -206,10 +206,11 @@ std::vector<Patch> sample_looks(const TriangleMesh& surface, const RayCaster& ca
   std::vector<Face> faces = faces_of(surface);
   const int count = static_cast<int>(eyes.size());
   for (Face& face : faces) face.tier = count;
+  const Points normals = triangle_normals(surface);
   std::vector<std::vector<char>> seen(eyes.size(), std::vector<char>(faces.size(), 0));
   for (int look = count - 1; look >= 0; --look) {
     const Eigen::Vector3d& eye = eyes[static_cast<std::size_t>(look)];
-    const std::vector<double> cosines = facing(faces, triangle_normals(surface), eye);
+    const std::vector<double> cosines = facing(faces, normals, eye);
     for (std::size_t t = 0; t < faces.size(); ++t)
       if (cosines[t] > kFacing && caster.sees(eye, faces[t].centre))
         seen[static_cast<std::size_t>(look)][t] = 1, faces[t].tier = look;
