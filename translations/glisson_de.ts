@@ -6163,6 +6163,10 @@
         <translation>Die Leber ist kleiner als 400 ml: in den Schichten prüfen.</translation>
     </message>
     <message>
+        <source>%1 ml of tissue that looks like the liver and hangs on it were left out, as another organ. If they are liver, as a lobe behind a tumour is, click in them.</source>
+        <translation>%1 ml Gewebe, das wie die Leber aussieht und an ihr hängt, wurden als ein anderes Organ weggelassen. Falls es Leber ist, wie ein Lappen hinter einem Tumor, klicken Sie hinein.</translation>
+    </message>
+    <message>
         <source>The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no surface. Segment a larger region.</source>
         <translation>Die Leber endet am Rand des segmentierten Bereichs: %1 cm² dort sind ein Schnitt und keine Oberfläche. Segmentieren Sie einen größeren Bereich.</translation>
     </message>

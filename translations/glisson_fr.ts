@@ -6163,6 +6163,10 @@
         <translation>Le foie fait moins de 400 ml : vérifiez-le dans les coupes.</translation>
     </message>
     <message>
+        <source>%1 ml of tissue that looks like the liver and hangs on it were left out, as another organ. If they are liver, as a lobe behind a tumour is, click in them.</source>
+        <translation>%1 ml de tissu qui ressemble au foie et qui y tient ont été laissés de côté, comme un autre organe. S’il s’agit du foie, comme un lobe derrière une tumeur, cliquez dedans.</translation>
+    </message>
+    <message>
         <source>The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no surface. Segment a larger region.</source>
         <translation>Le foie se termine au bord de la région segmentée : %1 cm² y sont une coupe et non une surface. Segmentez une région plus grande.</translation>
     </message>

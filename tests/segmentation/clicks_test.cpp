@@ -21,7 +21,7 @@ const Eigen::Vector3d kLesion(46, 68, 53), kTumour(59, 33, 48), kLiver(66, 61, 5
 constexpr double kLesionRadius = 12.0, kTumourRadius = 19.0;
 
 /// An ellipsoid of 108 HU in fat with a lesion inside, and a dark tumour at its rim that sticks out.
-Phantom phantom() {
+Phantom phantom(const Eigen::Vector3d& tumour_middle = kTumour) {
   Phantom result;
   VolumeGrid grid;
   grid.size = {67, 61, 48};
@@ -29,7 +29,7 @@ Phantom phantom() {
   grid.origin_mm = {-90, -60, 20};
   result.image = test::noisy_ct(grid, 7, 10.0, [&](const Eigen::Vector3d& p) {
     const bool organ = (p - kLiver).cwiseQuotient(Eigen::Vector3d(50, 42, 38)).norm() < 1.0;
-    const bool tumour = (p - kTumour).norm() < kTumourRadius;
+    const bool tumour = (p - tumour_middle).norm() < kTumourRadius;
     const double in_lesion = (p - kLesion).norm() - kLesionRadius;
     double hu = organ ? 108.0 : -95.0;
     if (tumour) hu = 62.0;
@@ -88,6 +88,7 @@ class ClicksTest : public QObject {
   void initTestCase();
   void ATumourAtTheRimIsLiver();
   void ALiverClickBinds();
+  void ALiverClickInATumourTakesIt();
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
   void OnFineVoxelsNoIslandIsMadeEither();
@@ -132,6 +133,25 @@ void ClicksTest::ALiverClickBinds() {
     QCOMPARE(label_at(result, place), structure::kParenchyma);
     QVERIFY(!has_note(result, "seed."));
   }
+}
+
+void ClicksTest::ALiverClickInATumourTakesIt() {
+  // Half of it stands out of the organ.
+  const Eigen::Vector3d middle(59, 20, 48);
+  const Phantom out = phantom(middle);
+  const auto share_taken = [&](const Seeds& seeds) {
+    const std::vector<std::uint8_t> liver = inside_liver(segmented(out.image, seeds).labels);
+    long taken = 0, all = 0;
+    for (std::size_t i = 0; i < liver.size(); ++i)
+      all += out.tumour[i], taken += out.tumour[i] != 0 && liver[i] != 0;
+    return static_cast<double>(taken) / static_cast<double>(all);
+  };
+  Seeds seeds = clicks_in(out.image);
+  const double unclicked = share_taken(seeds);
+  seeds.liver.conservativeResize(4, 3);
+  seeds.liver.row(3) = test::points_at(out.image, {middle}).row(0);
+  const double clicked = share_taken(seeds);
+  QVERIFY2(unclicked < 0.5 && clicked > 0.9, qPrintable(QString("%1 %2").arg(unclicked).arg(clicked)));
 }
 
 void ClicksTest::ANotLiverClickBinds() {

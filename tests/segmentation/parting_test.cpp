@@ -42,6 +42,8 @@ class PartingTest : public QObject {
  private slots:
   void WhatHangsByANeckIsARival();
   void WhatIsBroadlyJoinedIsOwned();
+  void WhatMeetsInStripsIsARival();
+  void ALobeBehindATumourIsDoubtful();
   void AClickInsideTakesWhatHangsByANeck();
   void ClicksOnBothSidesPartAtTheNarrowestPlace();
   void ASeamIsFoundAndNoiseIsNone();
@@ -65,6 +67,37 @@ void PartingTest::WhatIsBroadlyJoinedIsOwned() {
   const Sides sides = parted(field_, tissue, {{at_mm(30)}, {}});
   QCOMPARE(side_at(field_, sides.own, 85), 1);
   QCOMPARE(sides.rival.count(), 0L);
+}
+
+void PartingTest::WhatMeetsInStripsIsARival() {
+  // A layer of 15 mm behind a seam with slits: they are two thirds of it, and 3 mm wide.
+  const auto behind = [&](bool slits) {
+    const Mask tissue = body(field_, [&](const Eigen::Vector3d& p) {
+      const bool large = p.x() > 6.0 && p.x()<60.0, layer = p.x()> 60.7 && p.x() < 76.0;
+      const bool open = slits && static_cast<int>(std::lround(p.y() / 1.5)) % 3 != 0;
+      const bool seam = !large && !layer && p.x() > 6.0 && p.x() < 76.0;
+      const bool in_height = (p.tail<2>() - kLarge.tail<2>()).cwiseAbs().maxCoeff() < 28.0;
+      return in_height && (large || layer || (seam && (open || !slits)));
+    });
+    return parted(field_, tissue, {{at_mm(30)}, {}});
+  };
+  const Sides open = behind(false), slits = behind(true);
+  QCOMPARE(side_at(field_, open.own, 69), 1);
+  QCOMPARE(side_at(field_, slits.own, 69), 0);
+  QCOMPARE(side_at(field_, slits.rival, 69), 1);
+}
+
+void PartingTest::ALobeBehindATumourIsDoubtful() {
+  const Sides sides = parted(field_, two_balls(field_, 100.0, 30.0, 18.0), {{at_mm(30)}, {}});
+  QCOMPARE(side_at(field_, sides.own, 100), 0);
+  QVERIFY(sides.doubtful_ml > 100.0 && sides.doubtful_ml < 125.0);
+  QVERIFY((1.5 * sides.doubtful.cast<double>() - Eigen::Vector3d(100, 36, 36)).norm() < 3.0);
+  // By a thin rod hangs another organ, and what is small is no lobe.
+  QCOMPARE(parted(field_, two_balls(field_, 100.0, 30.0, 7.0), {{at_mm(30)}, {}}).doubtful_ml, 0.0);
+  QCOMPARE(parted(field_, two_balls(field_, 92.0, 18.0, 10.0), {{at_mm(30)}, {}}).doubtful_ml, 0.0);
+  // Nor is there a doubt where somebody has said what it is.
+  QCOMPARE(parted(field_, two_balls(field_, 100.0, 30.0, 18.0), {{at_mm(30)}, {at_mm(100)}}).doubtful_ml,
+           0.0);
 }
 
 void PartingTest::AClickInsideTakesWhatHangsByANeck() {

@@ -14,6 +14,8 @@ using namespace glisson::test;
 
 namespace {
 
+constexpr Tissue kLiver{108.0, 8.0};
+
 /// As the header has it.
 double worth(const Field& ct, const std::vector<float>& reward, std::size_t region) {
   const auto in = [&](std::size_t voxel) { return (region >> voxel) & 1U; };
@@ -54,6 +56,7 @@ class RegionCutTest : public QObject {
   void NoRegionIsWorthMore();
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot_data() { each_room(); }
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot();
+  void ALargeBiteIsFilledWhereTheLiverEnclosesIt();
   void ANotLiverClickKeepsTheTumourOut();
   void WhatWasPartedFromTheLiverStaysOut_data() { each_room(); }
   void WhatWasPartedFromTheLiverStaysOut();
@@ -88,11 +91,12 @@ struct Bitten {
   Eigen::Vector3i room;
 
   /// @param room_mm between the block's surroundings and the volume's edge: it must not matter.
-  explicit Bitten(double room_mm) : room(Eigen::Vector3i::Constant(static_cast<int>(room_mm / kVoxel))) {
+  explicit Bitten(double room_mm, double tumour_mm = 18.0)
+      : room(Eigen::Vector3i::Constant(static_cast<int>(room_mm / kVoxel))) {
     ct = field_of(Eigen::Vector3i(60, 50, 50) + 2 * room, kVoxel);
     fill(ct, [&](const Eigen::Vector3d& at) {
       const Eigen::Vector3d p = at - kVoxel * room.cast<double>();
-      if ((p - kTumour).norm() < 18.0) return 60.0;
+      if ((p - kTumour).norm() < tumour_mm) return 60.0;
       if ((p - Eigen::Vector3d(101, 40, 45)).norm() < 16.0) return 60.0;
       const bool liver = p.x() > 8 && p.x() < 87 && p.y() > 8 && p.y() < 74 && p.z() > 8 && p.z() < 84;
       return liver ? 108.0 : -95.0;
@@ -111,12 +115,33 @@ void RegionCutTest::ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot() {
   QFETCH(double, room_mm);
   const Bitten bitten(room_mm);
   const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
-  const Mask whole = with_enclosed(bitten.ct, found, found, found, nothing, nothing, nothing,
+  const Mask whole = with_enclosed(bitten.ct, found, kLiver, found, found, nothing, nothing, nothing,
                                    {{bitten.voxel(20, 20, 20)}, {}}, RunContext())
                          .value();
   QCOMPARE(int(whole.voxels[bitten.at(22, 35, 22)]), 1);
   QCOMPARE(int(whole.voxels[bitten.at(22, 41, 22)]), 1);
   QCOMPARE(int(whole.voxels[bitten.at(50, 20, 22)]), 0);
+}
+
+void RegionCutTest::ALargeBiteIsFilledWhereTheLiverEnclosesIt() {
+  const auto middle_of = [](double tumour_mm, double y_mm) {
+    Bitten bitten(40.0, 0.0);
+    const Eigen::Vector3d middle(47, y_mm, 46);
+    for (int k = 0; k < 50; ++k)
+      for (int j = 0; j < 60; ++j)
+        for (int i = 0; i < 60; ++i)
+          if ((Eigen::Vector3d(i, j, k) * Bitten::kVoxel - middle).norm() < tumour_mm)
+            bitten.ct.values[bitten.at(i, j, k)] = 60.0F;
+    const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
+    const Mask whole = with_enclosed(bitten.ct, found, kLiver, found, found, nothing, nothing, nothing,
+                                     {{bitten.voxel(10, 8, 10)}, {}}, RunContext())
+                           .value();
+    const Eigen::Vector3i voxel = (middle / Bitten::kVoxel).cast<int>();
+    return int(whole.voxels[bitten.at(voxel.x(), voxel.y(), voxel.z())]);
+  };
+  QCOMPARE(middle_of(32.0, 50.0), 1);
+  // It leans on the liver with a third of its border.
+  QCOMPARE(middle_of(32.0, 88.0), 0);
 }
 
 void RegionCutTest::ANotLiverClickKeepsTheTumourOut() {
@@ -126,7 +151,7 @@ void RegionCutTest::ANotLiverClickKeepsTheTumourOut() {
   for (int k = 20; k < 25; ++k)
     for (int j = 33; j < 38; ++j)
       for (int i = 20; i < 25; ++i) barred.voxels[bitten.at(i, j, k)] = 1;
-  const Mask whole = with_enclosed(bitten.ct, found, found, found, barred, nothing, nothing,
+  const Mask whole = with_enclosed(bitten.ct, found, kLiver, found, found, barred, nothing, nothing,
                                    {{bitten.voxel(20, 20, 20)}, {bitten.voxel(22, 35, 22)}}, RunContext())
                          .value();
   QCOMPARE(int(whole.voxels[bitten.at(22, 35, 22)]), 0);
@@ -147,7 +172,7 @@ void RegionCutTest::WhatWasPartedFromTheLiverStaysOut() {
   const auto in_bite = [&](const Mask& own) {
     const LiverSeeds seeds{{bitten.voxel(20, 20, 20)}, {}};
     const Mask whole =
-        with_enclosed(ct, found, like, own, nothing, nothing, nothing, seeds, RunContext()).value();
+        with_enclosed(ct, found, kLiver, like, own, nothing, nothing, nothing, seeds, RunContext()).value();
     return int(whole.voxels[bitten.at(22, 35, 22)]);
   };
   QCOMPARE(in_bite(like), 1);
@@ -161,7 +186,8 @@ void RegionCutTest::CancelledWorkGivesNothing() {
   const Bitten bitten(0.0);
   const Field& ct = bitten.ct;
   const Mask found = bitten.found(), nothing = ct.empty_mask();
-  QVERIFY(!with_enclosed(ct, found, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, context));
+  QVERIFY(!with_enclosed(ct, found, kLiver, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}},
+                         context));
 }
 
 QTEST_APPLESS_MAIN(RegionCutTest)

@@ -23,6 +23,8 @@ constexpr double kCoarse = 2.0;        // mm: where the contour finds its way; f
 constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
 constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may lie at its end
 constexpr double kFineBlur = 0.8;      // mm: fine voxels carry more noise than the diffusion tells from edges
+constexpr double kDarkClick = 3.0;     // mm around a click on the liver that say what it lies in
+constexpr double kLeastTissue = -30.0;                  // HU: fat, lung and gas are darker
 constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
 constexpr double kMostVoxels = 50e6;                    // of the fine contour: about 3 GB
 /// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
@@ -170,16 +172,41 @@ std::vector<LesionClick> clicks_of(const Image& image, const LesionScene& scene,
   return clicks;
 }
 
+/// A click in a lesion, and its diameter, mm; 0: not known.
+struct ClickedLesion {
+  PointsIn<CtFrame> at;
+  double diameter_mm = 0.0;
+};
+
+/// Whether a click on the liver lies in something darker than it: a tumour or a cyst.
+bool is_dark(const Field& ct, const Tissue& liver, const Eigen::Vector3i& click) {
+  const double own = tissue_around(ct, {click}, kDarkClick, 0.0, kMostLiverSigma).mean;
+  return own < liver.mean - kLiverWidth * liver.sigma && own > kLeastTissue;
+}
+
+/// What is clicked of lesions, and by clicks on the liver: they bind, whatever they lie in.
+std::vector<ClickedLesion> clicked_lesions(const Seeds& seeds, const Structures& anew, const Field& ct,
+                                           const LiverSeeds& clicks) {
+  std::vector<ClickedLesion> lesions;
+  for (std::size_t n = 0; anew.lesions && n < seeds.lesions.size(); ++n)
+    if (seeds.lesions[n].rows() > 0) lesions.push_back({seeds.lesions[n], seeds.lesion_diameter_mm(n)});
+  const Tissue liver = liver_at(ct, clicks.inside);
+  for (std::size_t n = 0; n < clicks.inside.size(); ++n)
+    if (is_dark(ct, liver, clicks.inside[n]))
+      lesions.push_back({PointsIn<CtFrame>(seeds.liver.row(static_cast<Eigen::Index>(n))), 0.0});
+  return lesions;
+}
+
 /// Lesions before the liver is known. False: cancelled.
-bool guess_lesions(const Image& image, const Seeds& seeds, const Bodies& bodies, const Field& ct,
-                   const RunContext& context, Mask& sure, Mask& likely) {
+bool guess_lesions(const Image& image, const std::vector<ClickedLesion>& lesions, const Bodies& bodies,
+                   const Field& ct, const RunContext& context, Mask& sure, Mask& likely) {
   const LesionGround ground = ground_of(bodies);
-  std::vector<std::vector<LesionGuess>> guesses(seeds.lesions.size());
+  std::vector<std::vector<LesionGuess>> guesses(lesions.size());
   share_out(guesses.size(), 2, [&](std::size_t n, bool) {
-    if (context.cancelled() || seeds.lesions[n].rows() == 0) return;
-    const LesionScene scene = lesion_scene(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground);
-    for (const LesionClick& click : clicks_of(image, scene, seeds, n))
-      guesses[n].push_back(guess_lesion(scene, click));
+    if (context.cancelled()) return;
+    const LesionScene scene = lesion_scene(image, lesions[n].at, lesions[n].diameter_mm, ground);
+    for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, lesions[n].at))
+      guesses[n].push_back(guess_lesion(scene, {place, lesions[n].diameter_mm}));
   });
   for (const std::vector<LesionGuess>& lesion : guesses)
     for (const LesionGuess& guess : lesion) {
@@ -338,7 +365,8 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   }
   prepared(0.06);
   Mask likely = ct.empty_mask();
-  if (anew.lesions && !guess_lesions(image, seeds, bodies, ct, context, tumours, likely)) return std::nullopt;
+  if (!guess_lesions(image, clicked_lesions(seeds, anew, ct, clicks), bodies, ct, context, tumours, likely))
+    return std::nullopt;
 
   const bool fine = spacing_mm < kCoarse;
   Mask barred = bodies.cava;
@@ -346,12 +374,14 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   prepared(0.08);
   const auto view = parting_view(image, seeds, context);
   if (!view) return std::nullopt;
-  auto contour = find_liver(ct, *view, clicks, barred, tumours, context.part(0.1, fine ? 0.4 : 0.7), show);
+  auto contour =
+      find_liver(ct, *view, clicks, barred, tumours, likely, context.part(0.1, fine ? 0.4 : 0.7), show);
   if (!contour) return std::nullopt;
   bodies.parenchyma = contour->parenchyma;
-  const auto whole =
-      with_enclosed(ct, negative_of(contour->phi), contour->like, contour->own, contour->closed_ground,
-                    tumours, likely, clicks, context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
+  bodies.doubtful = contour->doubtful;
+  const auto whole = with_enclosed(ct, negative_of(contour->phi), contour->parenchyma, contour->like,
+                                   contour->own, contour->closed_ground, tumours, likely, clicks,
+                                   context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
   if (!whole) return std::nullopt;
   auto settled = settle_liver(ct, *whole, *contour, clicks, tumours,
                               context.part(fine ? 0.4 : 0.7, fine ? 0.5 : 1.0), show);

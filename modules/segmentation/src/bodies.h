@@ -31,6 +31,7 @@ struct Bodies {
   Tissue parenchyma;
   Field grid;  ///< of the masks, without values
   Mask liver, cava, gallbladder;
+  Doubtful doubtful;
   std::vector<GrownLesion> lesions;  ///< found anew, one for each list of seeds; without values where the
                                      ///< list is empty or nothing was found
 };

@@ -24,6 +24,11 @@ struct Field {
                 static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(k));
   }
   std::size_t offset(const Eigen::Vector3i& v) const { return offset(v.x(), v.y(), v.z()); }
+  Eigen::Vector3i voxel_at(std::size_t offset) const {
+    const auto nx = static_cast<std::size_t>(size.x()), ny = static_cast<std::size_t>(size.y());
+    return {static_cast<int>(offset % nx), static_cast<int>(offset / nx % ny),
+            static_cast<int>(offset / (nx * ny))};
+  }
   bool contains(const Eigen::Vector3i& v) const {
     return (v.array() >= 0).all() && (v.array() < size.array()).all();
   }

@@ -200,11 +200,11 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
 }  // namespace
 
 Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
-                                     const Mask& barred, const Mask& included, const RunContext& context,
-                                     const ShowContour& show) {
+                                     const Mask& barred, const Mask& included, const Mask& likely,
+                                     const RunContext& context, const ShowContour& show) {
   require(!seeds.inside.empty(), "the liver has at least one seed");
   LiverContour result;
-  auto parted = find_start(ct, view, seeds, barred, included, context.part(0.0, 0.3));
+  auto parted = find_start(ct, view, seeds, barred, included, likely, context.part(0.0, 0.3));
   if (!parted) return std::nullopt;
   result.parenchyma = parted->parenchyma;
   Mask &open = parted->open, &start = parted->start, &rival = parted->rival;
@@ -225,6 +225,7 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
   result.like = std::move(open);
   result.own = std::move(parted->own);
   result.closed_ground = std::move(never);
+  result.doubtful = parted->doubtful;
   return result;
 }
 

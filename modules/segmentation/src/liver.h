@@ -12,6 +12,7 @@ struct LiverContour {
   Mask like;           ///< what looks like liver, anywhere
   Mask own;            ///< what of it is the liver's
   Mask closed_ground;  ///< what was barred, and what the clicks outside own
+  Doubtful doubtful;
 };
 
 /// Steps: robust statistics at the seeds; a start by parting what looks like liver at its necks and seams
@@ -19,10 +20,11 @@ struct LiverContour {
 /// contour driven by their ratio; last rounds that settle half way between the liver and what lies beside it,
 /// and follow the liver's thin margins.
 /// @param ct denoised. @param barred structures that are known not to be liver (vena cava, gallbladder).
-/// @param included structures that are known to be (lesions).
+/// @param included structures that are known to be (lesions). @param likely what perhaps is, see
+/// find_start().
 Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
-                                     const Mask& barred, const Mask& included, const RunContext& context,
-                                     const ShowContour& show = {});
+                                     const Mask& barred, const Mask& included, const Mask& likely,
+                                     const RunContext& context, const ShowContour& show = {});
 
 /// The last rounds again, from a liver to which bodies were added that do not look like it (see
 /// with_enclosed()). What lies 5 mm deep in it stays, and what lies 3 mm outside: it had come to rest.

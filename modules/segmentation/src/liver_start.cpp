@@ -118,14 +118,20 @@ Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& s
 /// Where the contour starts: what the clicks inside own of the tissue that is wider than a neck.
 Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const Tissue& tissue,
                                  const Mask& seams, const LiverSeeds& seeds, const LiverSeeds& view_seeds,
-                                 const Mask& barred, const Mask& included, const RunContext& context) {
+                                 const Mask& barred, const Mask& included, const Mask& likely,
+                                 const RunContext& context) {
+  Mask lesions = included;
+  for (std::size_t i = 0; i < lesions.voxels.size(); ++i)
+    if (likely.voxels[i] != 0) lesions.voxels[i] = 1;
   Mask parted =
-      liver_like(view.ct, tissue, kLiverWidth, nearest(barred, ct, view.ct), nearest(included, ct, view.ct));
+      liver_like(view.ct, tissue, kLiverWidth, nearest(barred, ct, view.ct), nearest(lesions, ct, view.ct));
   for (std::size_t i = 0; i < parted.voxels.size(); ++i)
     if (seams.voxels[i] != 0) parted.voxels[i] = 0;
   const auto sides = part_at_necks(view.ct, parted, view_seeds, context);
   if (!sides) return std::nullopt;
   LiverStart result;
+  result.doubtful = {sides->doubtful_ml,
+                     view.ct.first_index + sides->doubtful.cast<double>().cwiseProduct(view.ct.step)};
   result.open = liver_like(ct, tissue, kLiverWidth, barred, included);
   result.rival = nearest(sides->rival, view.ct, ct);
   Mask own = closed(nearest(sides->own, view.ct, ct), kSeamClosed);
@@ -159,7 +165,8 @@ Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const
 }  // namespace
 
 Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
-                                   const Mask& barred, const Mask& included, const RunContext& context) {
+                                   const Mask& barred, const Mask& included, const Mask& likely,
+                                   const RunContext& context) {
   Tissue tissue = liver_at(ct, seeds.inside);
   Tissue parenchyma = tissue;
   const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct)};
@@ -168,7 +175,7 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
   for (int round = 0; round < kStartRounds; ++round) {
     if (context.cancelled()) return std::nullopt;
     context.progress(static_cast<double>(round) / kStartRounds, "segmentation.start");
-    auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, context);
+    auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, likely, context);
     if (!next) return std::nullopt;
     parted = std::move(*next);
     const Tissue seen = tissue_within(ct, parted.start, 4.0);

@@ -17,6 +17,12 @@ struct PartingView {
 
 inline constexpr double kLiverWidth = 2.2;  // standard deviations that count as liver at first
 
+/// Tissue like the liver's that hangs on it and was left out, as another organ; see Sides.
+struct Doubtful {
+  double ml = 0.0;                                     ///< 0: there is none
+  Eigen::Vector3d at_index = Eigen::Vector3d::Zero();  ///< of the image: where it is deepest
+};
+
 /// Who owns the liver-like tissue.
 struct LiverStart {
   Mask open;   ///< what looks like liver, anywhere
@@ -24,12 +30,15 @@ struct LiverStart {
   Mask start;  ///< what of that is wider than a neck: where the contour starts
   Mask rival;  ///< what the clicks outside own
   Tissue parenchyma;
+  Doubtful doubtful;
 };
 
 /// Robust statistics at the clicks; what looks like that is parted at its necks and seams (see
 /// part_at_necks()); once more with the statistics of what was found.
 /// @param barred, included known not to be liver, known to be.
+/// @param likely lesions, perhaps: where they lie between two parts of the liver they are no neck.
 Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
-                                   const Mask& barred, const Mask& included, const RunContext& context);
+                                   const Mask& barred, const Mask& included, const Mask& likely,
+                                   const RunContext& context);
 
 }  // namespace glisson::segmentation

@@ -17,7 +17,11 @@ constexpr double kSeamBlur = 1.5;      // mm
 constexpr double kTypical = 0.95;      // of the tissue without seams that counts as such
 constexpr float kSameBody = 0.8F;      // of the shallower body's depth that a neck within a body has
 constexpr double kHalfBall = 1.92;     // area of a half ball's flat face over its volume's power 2/3
-constexpr double kWide = 0.7;          // of that
+constexpr double kWide = 0.3;          // of that
+constexpr double kBroad = 0.8;         // of that, where somebody clicked outside
+constexpr double kDoubtful = 0.1;      // of that
+constexpr double kDoubtfulMl = 100.0;  // a pancreas has less
+constexpr float kPassage = 1.9F;       // voxels of depth from which on a face counts
 constexpr double kFacets = 2.0 / 3.0;  // mean area of a plane over that of the voxels' faces along it
 constexpr double kBesideClick = 4.0;   // mm from a click to the tissue that it means
 constexpr double kSpeck = 300.0;       // mm^3
@@ -146,6 +150,7 @@ class Parting {
       if (best < 0) {
         best = static_cast<int>(peak_.size());
         peak_.push_back(depth_[at]);
+        summit_.push_back(at);
       }
       part_[at] = best;
     }
@@ -186,8 +191,13 @@ class Parting {
     for (const int part : part_)
       if (part >= 0) volume[static_cast<std::size_t>(part)] += voxel_mm3;
     const auto face_mm2 = static_cast<float>(kFacets * std::pow(voxel_mm3, 2.0 / 3.0));
+    // Strips of one voxel are seams that the picture does not resolve.
+    const float passage_mm = kPassage * static_cast<float>(ct_.spacing_mm.minCoeff());
     const std::vector<Face> walls = faces_between(
-        ct_.size, part_, [&](std::size_t, std::size_t) { return face_mm2; },
+        ct_.size, part_,
+        [&](std::size_t a, std::size_t b) {
+          return std::min(depth_[a], depth_[b]) > passage_mm ? face_mm2 : 0.0F;
+        },
         [](float a, float b) { return a + b; });
     std::vector<std::vector<std::pair<int, float>>> neighbours(peak_.size());
     for (const Face& wall : walls) {
@@ -205,13 +215,20 @@ class Parting {
       for (const auto& [other, area] : neighbours[at]) {
         const auto n = static_cast<std::size_t>(other);
         shared[n] += area;
-        if (owned[n] != 0 || clicked_[n] != 0) continue;
-        if (shared[n] < kWide * kHalfBall * std::pow(volume[n], 2.0 / 3.0)) continue;
+        const double enough = (clicked_[n] == 0 ? kWide : kBroad) * kHalfBall;
+        if (owned[n] != 0 || shared[n] < enough * std::pow(volume[n], 2.0 / 3.0)) continue;
         owned[n] = 1;
         waiting.push_back(n);
       }
     }
-    Sides sides{ct_.empty_mask(), ct_.empty_mask()};
+    Sides sides{ct_.empty_mask(), ct_.empty_mask(), 0.0, Eigen::Vector3i::Zero()};
+    for (std::size_t n = 0; n < owned.size(); ++n) {
+      const bool hangs = shared[n] > kDoubtful * kHalfBall * std::pow(volume[n], 2.0 / 3.0);
+      if (owned[n] != 0 || clicked_[n] != 0 || !hangs) continue;
+      if (1e-3 * volume[n] < std::max(kDoubtfulMl, sides.doubtful_ml)) continue;
+      sides.doubtful_ml = 1e-3 * volume[n];
+      sides.doubtful = ct_.voxel_at(summit_[n]);
+    }
     for (std::size_t i = 0; i < part_.size(); ++i) {
       if (part_[i] < 0) continue;
       const auto n = static_cast<std::size_t>(part_[i]);
@@ -241,6 +258,7 @@ class Parting {
   const Field& ct_;
   Mask tissue_;
   std::vector<float> depth_, peak_;
+  std::vector<std::size_t> summit_;  ///< of each part, its deepest voxel
   std::vector<int> part_;
   std::vector<std::uint8_t> clicked_;
 };

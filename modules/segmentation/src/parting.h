@@ -17,6 +17,10 @@ Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical);
 struct Sides {
   Mask own;    ///< what belongs to the clicks inside
   Mask rival;  ///< other parts that have a click, or are at least 5 mm deep
+  /// The largest part that nobody clicked and that hangs on what is owned by more than seams, though not
+  /// widely: it may be a lobe behind a tumour as well as an organ that lies against it.
+  double doubtful_ml = 0.0;  ///< 0: there is none
+  Eigen::Vector3i doubtful;  ///< the voxel where it is deepest
 };
 
 /// Cuts `tissue` into parts at its necks and says which are the inside clicks'. Depth is the distance to what
@@ -25,8 +29,11 @@ struct Sides {
 /// 2. Two neighbours become one part where the neck between them is at least 0.8 times as deep as the
 ///    shallower of them, unless together they hold clicks of both kinds.
 /// 3. Parts with a click inside are owned, also if they hold one outside. So is every part without a click
-///    whose face with owned parts is wide for its volume: 0.7 times the flat face of a half ball. The left
-///    lobe hangs on the right one so; a pancreas or a heart does not.
+///    whose face with owned parts is wide for its volume: 0.3 times the flat face of a half ball, counted
+///    where two voxels of tissue and more lie around it. The left lobe hangs on the right one so; a pancreas
+///    or a stomach does not, for organs that lie against each other meet in strips.
+/// 4. A part with clicks outside alone is owned where that face is 0.8 of it: whoever clicked did not mean
+///    all of it.
 Cancellable<Sides> part_at_necks(const Field& ct, const Mask& tissue, const LiverSeeds& seeds,
                                  const RunContext& context);
 

@@ -39,12 +39,8 @@ struct Scene {
   /// So far on the right that no heart, stomach or spleen lies there.
   bool is_right(std::size_t at) const { return place(at).x() < middle_x - kRight; }
 
-  Eigen::Vector3i voxel(std::size_t at) const {
-    const auto nx = static_cast<std::size_t>(ct.size.x()), ny = static_cast<std::size_t>(ct.size.y());
-    return {static_cast<int>(at % nx), static_cast<int>(at / nx % ny), static_cast<int>(at / (nx * ny))};
-  }
   Eigen::Vector3d place(std::size_t at) const {
-    return grid.p_in_ct(ct.first_index + voxel(at).cast<double>().cwiseProduct(ct.step)).xyz;
+    return grid.p_in_ct(ct.first_index + ct.voxel_at(at).cast<double>().cwiseProduct(ct.step)).xyz;
   }
   double voxel_ml() const { return 1e-3 * ct.spacing_mm.prod(); }
   Eigen::Vector3d middle(const Mask& mask) const {
@@ -148,7 +144,7 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
     if (core->mask.voxels[i] != 0 && scene.is_right(i) && (!deepest || depth2[i] > depth2[*deepest]))
       deepest = i;
   require(deepest.has_value(), "a body with so much on the right has voxels there");
-  const auto sides = part_at_necks(ct, alike, {{scene.voxel(*deepest)}, {}}, context.quiet());
+  const auto sides = part_at_necks(ct, alike, {{scene.ct.voxel_at(*deepest)}, {}}, context.quiet());
   if (!sides) return std::nullopt;
   const Mask places = where(ct, [&](std::size_t i) {
     return sides->own.voxels[i] != 0 && depth2[i] > kCore * kCore && scene.is_right(i) &&

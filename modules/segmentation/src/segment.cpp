@@ -329,6 +329,16 @@ bool is_in_liver(Label label) {
          label == structure::kHepaticVeins || label == structure::kArtery || is_lesion(label);
 }
 
+/// Tissue that may be a part of the liver as well as another organ, where the labels leave it out.
+void note_doubtful(const Painting& painting, const Doubtful& doubtful, SegmentationReport& report) {
+  if (!(doubtful.ml > 0.0)) return;
+  const Eigen::Vector3i last = painting.grid.size - Eigen::Vector3i::Ones();
+  const Eigen::Vector3i voxel =
+      doubtful.at_index.array().round().matrix().cast<int>().cwiseMax(0).cwiseMin(last);
+  if (painting.labels[static_cast<std::size_t>(painting.grid.offset(voxel))] == structure::kBackground)
+    report.notes.push_back("liver.perhaps_more " + std::to_string(std::lround(doubtful.ml)));
+}
+
 /// Clicks for and against the liver that the labels do not follow, by number and with the reason.
 /// @param seeds all of them, by whose numbers a person knows them. @param region those outside were not
 /// asked.
@@ -417,6 +427,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   for (std::string& note : bright_lesion_notes(image, painting, bodies->lesions.size(), bodies->parenchyma))
     result.report.notes.push_back(std::move(note));
   if (!options.region) note_sizes(result.labels.voxels, found, result.report);
+  if (anew.liver) note_doubtful(painting, bodies->doubtful, result.report);
   if (anew.liver) note_clicks(painting, all_seeds, options.region, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;

@@ -26,6 +26,9 @@ class Notes {
         {"liver.cut_by_region",
          tr("The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no "
             "surface. Segment a larger region.")},
+        {"liver.perhaps_more",
+         tr("%1 ml of tissue that looks like the liver and hangs on it were left out, as another organ. If "
+            "they are liver, as a lobe behind a tumour is, click in them.")},
         {"image.metal", tr("Something denser than any bone, as metal is, lies in %1 slices of the liver or "
                            "next to them: its streaks may have taken liver away or added to it. "
                            "Check these slices.")},
