@@ -102,8 +102,9 @@ void PartingTest::ALobeBehindATumourIsDoubtful() {
 
 void PartingTest::AClickInsideTakesWhatHangsByANeck() {
   const Mask tissue = two_balls(field_, 92.0, 18.0, 5.0);
-  const Sides sides = parted(field_, tissue, {{at_mm(30), at_mm(97)}, {}});
-  QCOMPARE(side_at(field_, sides.own, 92), 1);
+  for (const LiverSeeds& seeds :
+       {LiverSeeds{{at_mm(30), at_mm(97)}, {}}, LiverSeeds{{at_mm(30)}, {}, {at_mm(97)}}})
+    QCOMPARE(side_at(field_, parted(field_, tissue, seeds).own, 92), 1);
 }
 
 void PartingTest::ClicksOnBothSidesPartAtTheNarrowestPlace() {

@@ -346,7 +346,9 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   const auto known = [&](const std::function<bool(Label)>& wanted) {
     return kept != nullptr ? kept_mask(kept->labels, ct, wanted) : ct.empty_mask();
   };
-  const LiverSeeds clicks{places(seeds.liver), places(seeds.background)};
+  LiverSeeds clicks{places(seeds.liver), places(seeds.background)};
+  for (const Points& lesion : seeds.lesions)
+    std::ranges::copy(places(lesion), std::back_inserter(clicks.lesions));
   if (anew.liver)
     bodies.parenchyma = tissue_at_clicks(ct, clicks.inside);
   else

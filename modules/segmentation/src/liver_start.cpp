@@ -169,7 +169,8 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
                                    const RunContext& context) {
   Tissue tissue = liver_at(ct, seeds.inside);
   Tissue parenchyma = tissue;
-  const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct)};
+  const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct),
+                              moved(seeds.lesions, ct, view.ct)};
   const Mask seams = seams_of(view, tissue, view_seeds);
   LiverStart parted;
   for (int round = 0; round < kStartRounds; ++round) {

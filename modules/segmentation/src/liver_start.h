@@ -8,6 +8,7 @@ namespace glisson::segmentation {
 
 struct LiverSeeds {
   std::vector<Eigen::Vector3i> inside, outside;  ///< voxels of the field
+  std::vector<Eigen::Vector3i> lesions = {};     ///< inside, too, though not in the liver's tissue
 };
 
 /// The image once more, on voxels on which a seam of fat between two organs can be seen.

@@ -159,7 +159,8 @@ class Parting {
   /// Which parts the clicks mean: bit 1 inside, bit 2 outside.
   void mark(const LiverSeeds& seeds) {
     clicked_.assign(peak_.size(), 0);
-    for (const auto& [points, bit] : {std::pair(&seeds.inside, 1), std::pair(&seeds.outside, 2)})
+    for (const auto& [points, bit] :
+         {std::pair(&seeds.inside, 1), std::pair(&seeds.lesions, 1), std::pair(&seeds.outside, 2)})
       for (const Eigen::Vector3i& click : *points)
         if (const int part = part_near(click); part >= 0)
           clicked_[static_cast<std::size_t>(part)] =
