@@ -89,6 +89,7 @@ class ClicksTest : public QObject {
   void ATumourAtTheRimIsLiver();
   void ALiverClickBinds();
   void ALiverClickInATumourTakesIt();
+  void TumoursThatTouchArePartedAtTheNeck();
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
   void OnFineVoxelsNoIslandIsMadeEither();
@@ -152,6 +153,34 @@ void ClicksTest::ALiverClickInATumourTakesIt() {
   seeds.liver.row(3) = test::points_at(out.image, {middle}).row(0);
   const double clicked = share_taken(seeds);
   QVERIFY2(unclicked < 0.5 && clicked > 0.9, qPrintable(QString("%1 %2").arg(unclicked).arg(clicked)));
+}
+
+void ClicksTest::TumoursThatTouchArePartedAtTheNeck() {
+  // A small one and a large one, overlapping by 3 mm; the clicks are not in their middles.
+  const Eigen::Vector3d small(46, 60, 53), large(73, 62, 53);
+  constexpr double kSmall = 12.0, kLarge = 18.0;
+  VolumeGrid grid = phantom_.image.grid;
+  std::vector<std::uint8_t> in_small, in_large;
+  const Image image = test::noisy_ct(grid, 9, 10.0, [&](const Eigen::Vector3d& p) {
+    const bool organ = (p - kLiver).cwiseQuotient(Eigen::Vector3d(50, 42, 38)).norm() < 1.0;
+    const double to_small = (p - small).norm() - kSmall, to_large = (p - large).norm() - kLarge;
+    in_small.push_back(to_small < 0.0 && to_small <= to_large);
+    in_large.push_back(to_large < 0.0 && to_large < to_small);
+    return std::min(to_small, to_large) < 0.0 ? 62.0 : organ ? 108.0 : -95.0;
+  });
+  Seeds seeds;
+  seeds.liver = test::points_at(image, {{66, 30, 48}, {66, 92, 58}, {100, 60, 53}});
+  const PointsIn<CtFrame> clicks[] = {test::points_at(image, {{50, 56, 50}}),
+                                      test::points_at(image, {{68, 66, 56}})};
+  for (const bool exchanged : {false, true}) {
+    seeds.lesions = {clicks[exchanged ? 1 : 0], clicks[exchanged ? 0 : 1]};
+    const Segmented result = segmented(image, seeds);
+    const double first =
+                     dice(mask_of(result.labels, structure::kFirstLesion), exchanged ? in_large : in_small),
+                 second = dice(mask_of(result.labels, structure::kFirstLesion + 1),
+                               exchanged ? in_small : in_large);
+    QVERIFY2(first > 0.85 && second > 0.85, qPrintable(QString("%1 %2").arg(first).arg(second)));
+  }
 }
 
 void ClicksTest::ANotLiverClickBinds() {

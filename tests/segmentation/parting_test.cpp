@@ -5,6 +5,7 @@
 #include <QTest>
 #include <random>
 
+#include "fronts.h"
 #include "phantom_field.h"
 
 using namespace glisson;
@@ -46,6 +47,7 @@ class PartingTest : public QObject {
   void ALobeBehindATumourIsDoubtful();
   void AClickInsideTakesWhatHangsByANeck();
   void ClicksOnBothSidesPartAtTheNarrowestPlace();
+  void FrontsMeetInTheNeck();
   void ASeamIsFoundAndNoiseIsNone();
 
  private:
@@ -114,6 +116,19 @@ void PartingTest::ClicksOnBothSidesPartAtTheNarrowestPlace() {
   QCOMPARE(side_at(field_, sides.own, 40), 1);
   QCOMPARE(side_at(field_, sides.own, 85), 0);
   QCOMPARE(side_at(field_, sides.rival, 85), 1);
+}
+
+void PartingTest::FrontsMeetInTheNeck() {
+  // Balls that end at 70 and 74 mm, and a rod between them; one click lies just beside it.
+  const Mask tissue = two_balls(field_, 92.0, 18.0, 5.0);
+  const std::vector<std::uint8_t> who =
+      first_to_reach(tissue, squared_depth_mm2(tissue), {{at_mm(64)}, {at_mm(97)}, {}});
+  const auto at = [&](double x) { return int(who[field_.offset(at_mm(x))]); };
+  QCOMPARE(at(20), 1);
+  QCOMPARE(at(66), 1);
+  QCOMPARE(at(78), 2);
+  QCOMPARE(at(105), 2);
+  for (std::size_t i = 0; i < who.size(); ++i) QCOMPARE(who[i] != 0, tissue.voxels[i] != 0);
 }
 
 void PartingTest::ASeamIsFoundAndNoiseIsNone() {

@@ -7,6 +7,7 @@
 
 #include "bites.h"
 #include "enclosed.h"
+#include "fronts.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
 #include "glisson/volume/axes.h"
@@ -24,6 +25,7 @@ constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
 constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may lie at its end
 constexpr double kFineBlur = 0.8;      // mm: fine voxels carry more noise than the diffusion tells from edges
 constexpr double kDarkClick = 3.0;     // mm around a click on the liver that say what it lies in
+constexpr double kDarkSigmas = 1.5;    // below the liver
 constexpr double kLeastTissue = -30.0;                  // HU: fat, lung and gas are darker
 constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
 constexpr double kMostVoxels = 50e6;                    // of the fine contour: about 3 GB
@@ -258,15 +260,40 @@ Cancellable<bool> refine(const Image& image, const LiverSeeds& clicks, double sp
   return true;
 }
 
-/// The lesions in the liver that was found, or kept. False: cancelled.
-bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const RunContext& context) {
+/// Which lesion each dark voxel of the liver is: tumours that touch are parted at the neck between them.
+/// @return 1 for the first lesion, ..., 0: none; empty: fewer than two are clicked.
+std::vector<std::uint8_t> whose_lesion(const Image& image, const Seeds& seeds, const Field& ct,
+                                       const Bodies& bodies) {
+  std::vector<std::vector<Eigen::Vector3i>> places;
+  for (const Points& lesion : seeds.lesions) places.push_back(voxels_of(image.grid, ct, lesion));
+  if (std::ranges::count_if(places, [](const auto& lesion) { return !lesion.empty(); }) < 2) return {};
+  Mask dark = ct.empty_mask();
+  const auto limit = static_cast<float>(bodies.parenchyma.mean - kDarkSigmas * bodies.parenchyma.sigma);
+  for (std::size_t i = 0; i < dark.voxels.size(); ++i)
+    dark.voxels[i] = bodies.liver.voxels[i] != 0 && ct.values[i] < limit;
+  return first_to_reach(dark, squared_depth_mm2(dark), places);
+}
+
+/// What is another lesion's, on the grid of a scene.
+Mask of_others(const std::vector<std::uint8_t>& whose, std::size_t lesion, const Field& ct, const Field& to) {
+  Mask others = ct.empty_mask();
+  for (std::size_t i = 0; i < whose.size(); ++i) others.voxels[i] = whose[i] != 0 && whose[i] != lesion + 1;
+  return transferred(smooth_boundary(others, ct), to);
+}
+
+/// The lesions in the liver that was found, or kept. @param ct denoised, on the grid of the bodies. False:
+/// cancelled.
+bool add_lesions(const Image& image, const Seeds& seeds, const Field& ct, Bodies& bodies,
+                 const RunContext& context) {
   LesionGround ground = ground_of(bodies);
   ground.organ = bodies.liver_phi;
   ground.hull = signed_distance(with_bites(bodies.liver), bodies.grid);
+  const std::vector<std::uint8_t> whose = whose_lesion(image, seeds, ct, bodies);
   bodies.lesions.resize(seeds.lesions.size());
   share_out(bodies.lesions.size(), 2, [&](std::size_t n, bool) {
     if (context.cancelled() || seeds.lesions[n].rows() == 0) return;
-    const LesionScene scene = lesion_scene(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground);
+    LesionScene scene = lesion_scene(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground);
+    if (!whose.empty()) unite(scene.barred, of_others(whose, n, ct, scene.ct));
     GrownLesion& lesion = bodies.lesions[n];
     std::vector<Eigen::Vector3i> in_vain;
     for (const LesionClick& click : clicks_of(image, scene, seeds, n)) {
@@ -362,7 +389,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
                                         : known([](Label label) { return label == structure::kGallbladder; });
   Mask tumours = known([&](Label label) { return is_lesion(label) && !is_anew(anew, seeds, label); });
   if (!anew.liver) {
-    if (anew.lesions && !add_lesions(image, seeds, bodies, context)) return std::nullopt;
+    if (anew.lesions && !add_lesions(image, seeds, ct, bodies, context)) return std::nullopt;
     return bodies;
   }
   prepared(0.06);
@@ -394,7 +421,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
       !refine(image, clicks, spacing_mm, tumours, bodies, context.part(0.5, 1.0), show))
     return std::nullopt;
   if (bodies.liver.count() > 0) hold_clicks(image.grid, seeds, bodies.liver_phi);
-  if (bodies.liver.count() > 0 && anew.lesions && !add_lesions(image, seeds, bodies, context))
+  if (bodies.liver.count() > 0 && anew.lesions && !add_lesions(image, seeds, ct, bodies, context))
     return std::nullopt;
   return bodies;
 }

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 
-#include "glisson/volume/voxel_neighbours.h"
+#include "fronts.h"
 #include "painting.h"
 #include "parting.h"
 
@@ -63,48 +62,6 @@ std::vector<Eigen::Vector3i> moved(const std::vector<Eigen::Vector3i>& places, c
   return result;
 }
 
-struct Entry {
-  float cost;
-  std::size_t at;
-  bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : at > other.at; }
-};
-
-/// Who reaches each voxel first: 1 the seeds inside, 2 those outside, 0 nobody. A step costs its length times
-/// (kNeck / depth)^2, depth being the distance to the edge of `open`: fronts run through wide tissue and meet
-/// in the necks.
-std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::vector<float>& depth2,
-                                  const LiverSeeds& seeds, std::vector<float>& cost) {
-  std::vector<std::uint8_t> owner(open.voxels.size(), 0);
-  cost.assign(open.voxels.size(), 1e30F);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto place = [&](const std::vector<Eigen::Vector3i>& points, std::uint8_t who) {
-    for (const Eigen::Vector3i& p : points) {
-      const std::size_t at = ct.offset(p);
-      cost[at] = 0.0F;
-      owner[at] = who;
-      queue.push({0.0F, at});
-    }
-  };
-  place(seeds.inside, 1);
-  place(seeds.outside, 2);
-  const auto neck2 = static_cast<float>(kNeck * kNeck);
-  const auto h = static_cast<float>(ct.spacing_mm.minCoeff());
-  while (!queue.empty()) {
-    const Entry entry = queue.top();
-    queue.pop();
-    if (entry.cost > cost[entry.at]) continue;
-    each_face_neighbour(ct.size, entry.at, [&](std::size_t other, int) {
-      if (open.voxels[other] == 0) return;
-      const float next = entry.cost + h * neck2 / std::max(depth2[other], 1.0F);
-      if (next >= cost[other]) return;
-      cost[other] = next;
-      owner[other] = owner[entry.at];
-      queue.push({next, other});
-    });
-  }
-  return owner;
-}
-
 /// The seams between organs around the clicks, on the parting's voxels.
 Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& seeds) {
   Mask where = view.ct.empty_mask(), typical = where;
@@ -144,9 +101,9 @@ Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const
     if (own.voxels[ct.offset(p)] != 0) within.inside.push_back(p);
   for (const Eigen::Vector3i& p : seeds.outside)
     if (own.voxels[ct.offset(p)] != 0) within.outside.push_back(p);
-  std::vector<float> cost;
   std::vector<std::uint8_t> owner(own.voxels.size(), 1);
-  if (!within.outside.empty() && !within.inside.empty()) owner = compete(ct, own, depth2, within, cost);
+  if (!within.outside.empty() && !within.inside.empty())
+    owner = first_to_reach(own, depth2, {within.inside, within.outside});
   Mask core = ct.empty_mask();
   for (std::size_t i = 0; i < core.voxels.size(); ++i) {
     if (own.voxels[i] != 0 && owner[i] == 2) result.rival.voxels[i] = 1;
