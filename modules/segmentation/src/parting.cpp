@@ -13,13 +13,13 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kSeamBlur = 1.5;      // mm
-constexpr double kTypical = 0.95;      // of the tissue without seams that counts as such
-constexpr float kSameBody = 0.8F;      // of the shallower body's depth that a neck within a body has
-constexpr double kHalfBall = 1.92;     // area of a half ball's flat face over its volume's power 2/3
-constexpr double kWide = 0.3;          // of that
-constexpr double kBroad = 0.8;         // of that, where somebody clicked outside
-constexpr double kDoubtful = 0.1;      // of that
+constexpr double kSeamBlur = 1.5;  // mm
+constexpr double kTypical = 0.95;  // of the tissue without seams that counts as such
+constexpr float kSameBody = 0.8F;  // of the shallower body's depth that a neck within a body has
+/// What a part shares with owned ones, of a half ball's flat face.
+constexpr double kWide = 0.3;
+constexpr double kBroad = 0.8;  // where somebody clicked outside
+constexpr double kDoubtful = 0.1;
 constexpr double kDoubtfulMl = 100.0;  // a pancreas has less
 constexpr float kPassage = 1.9F;       // voxels of depth from which on a face counts
 constexpr double kFacets = 2.0 / 3.0;  // mean area of a plane over that of the voxels' faces along it
@@ -46,6 +46,12 @@ float sheet_response(const Field& blurred, std::size_t at) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(h, Eigen::EigenvaluesOnly);
   return std::max(0.0F, solver.eigenvalues()[2] - std::abs(solver.eigenvalues()[1]));
+}
+
+/// Of a half ball of that volume, mm^3.
+double flat_face_mm2(double volume) {
+  constexpr double kHalfBall = 1.92;  // of the volume's power 2/3
+  return kHalfBall * std::pow(volume, 2.0 / 3.0);
 }
 
 /// Sets of numbers that are united.
@@ -216,16 +222,15 @@ class Parting {
       for (const auto& [other, area] : neighbours[at]) {
         const auto n = static_cast<std::size_t>(other);
         shared[n] += area;
-        const double enough = (clicked_[n] == 0 ? kWide : kBroad) * kHalfBall;
-        if (owned[n] != 0 || shared[n] < enough * std::pow(volume[n], 2.0 / 3.0)) continue;
+        const double enough = clicked_[n] == 0 ? kWide : kBroad;
+        if (owned[n] != 0 || shared[n] < enough * flat_face_mm2(volume[n])) continue;
         owned[n] = 1;
         waiting.push_back(n);
       }
     }
     Sides sides{ct_.empty_mask(), ct_.empty_mask(), 0.0, Eigen::Vector3i::Zero()};
     for (std::size_t n = 0; n < owned.size(); ++n) {
-      const bool hangs = shared[n] > kDoubtful * kHalfBall * std::pow(volume[n], 2.0 / 3.0);
-      if (owned[n] != 0 || clicked_[n] != 0 || !hangs) continue;
+      if (owned[n] != 0 || clicked_[n] != 0 || shared[n] < kDoubtful * flat_face_mm2(volume[n])) continue;
       if (1e-3 * volume[n] < std::max(kDoubtfulMl, sides.doubtful_ml)) continue;
       sides.doubtful_ml = 1e-3 * volume[n];
       sides.doubtful = ct_.voxel_at(summit_[n]);

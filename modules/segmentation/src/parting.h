@@ -28,10 +28,10 @@ struct Sides {
 /// 1. A part is what drains to one place of greatest depth (Meyer 1994).
 /// 2. Two neighbours become one part where the neck between them is at least 0.8 times as deep as the
 ///    shallower of them, unless together they hold clicks of both kinds.
-/// 3. Parts with a click inside or in a lesion are owned, also if they hold one outside. So is every part without a click
-///    whose face with owned parts is wide for its volume: 0.3 times the flat face of a half ball, counted
-///    where two voxels of tissue and more lie around it. The left lobe hangs on the right one so; a pancreas
-///    or a stomach does not, for organs that lie against each other meet in strips.
+/// 3. Parts with a click inside or in a lesion are owned, also if they hold one outside. So is every part
+///    without a click whose face with owned parts is wide for its volume: 0.3 times the flat face of a half
+///    ball, counted where two voxels of tissue and more lie around it. The left lobe hangs on the right one
+///    so; a pancreas or a stomach does not, for organs that lie against each other meet in strips.
 /// 4. A part with clicks outside alone is owned where that face is 0.8 of it: whoever clicked did not mean
 ///    all of it.
 Cancellable<Sides> part_at_necks(const Field& ct, const Mask& tissue, const LiverSeeds& seeds,
