@@ -79,13 +79,15 @@ class Evidence {
  public:
   static constexpr double kMost = 3.0;
   /// @param drawn a hand has said where the lesion is: its tissue counts even if it looks like liver.
-  Evidence(const Tissue& own, const Tissue& liver, bool drawn) : own_(own), liver_(liver), drawn_(drawn) {}
+  /// @param rim of the lesion, too: living tissue around a necrosis.
+  Evidence(const Tissue& own, const Tissue& liver, bool drawn, const std::optional<Tissue>& rim = {})
+      : own_(own), liver_(liver), drawn_(drawn), rim_(rim) {}
   double operator()(double x) const {
     const double apart = std::abs(liver_.mean - own_.mean), span = std::max(apart, 4.0 * liver_.sigma);
     const bool told = drawn_ || apart > kTold * liver_.sigma;
     const bool between = told && (x - own_.mean) * (x - liver_.mean) < 0.0;
     const double lesion =
-        (drawn_ ? 0.9 : 0.4) * (told ? normal(x, own_) : kAny) + (between ? 0.3 / span : 0.0) + 0.3 * kAny;
+        (drawn_ ? 0.9 : 0.4) * (told ? own(x) : kAny) + (between ? 0.3 / span : 0.0) + 0.3 * kAny;
     const double liver = 0.9 * normal(x, liver_) + (x > liver_.mean ? 0.2 : 0.005) * kAny;
     return std::clamp(std::log(lesion / liver), -kMost, kMost);
   }
@@ -95,9 +97,12 @@ class Evidence {
   }
 
  private:
+  double own(double x) const { return rim_ ? 0.5 * (normal(x, own_) + normal(x, *rim_)) : normal(x, own_); }
+
   static constexpr double kAny = 1.0 / 200.0;  // 1 / HU
   Tissue own_, liver_;
   bool drawn_;
+  std::optional<Tissue> rim_;
 };
 
 /// @param in_bite the liver's outline leaves the click out; else it is trusted.
@@ -274,6 +279,26 @@ Beginning begin(const LesionScene& scene, const LesionClick& click) {
   return begun;
 }
 
+/// What lies next to a body that was found.
+struct Beside {
+  std::optional<Tissue> liver;  ///< none: it cannot be told there
+  std::optional<Tissue> rim;    ///< of the lesion: darker than the liver that lies farther out
+};
+
+/// @return the liver in the shell next to the body. Where that is darker by a sigma than the next shell, the
+/// body is a necrosis, the first shell its living rim, and the liver begins behind it.
+Beside beside_of(const LesionScene& scene, const Star& star, const Beginning& begun) {
+  const auto tissue = [&](double from_mm, double to_mm) {
+    auto found = tissue_beyond(scene, scene.ct, star, from_mm, to_mm);
+    if (found && std::abs(found->mean - begun.liver.mean) >= 2.5 * begun.liver.sigma) found.reset();
+    if (found) found->sigma = std::clamp(found->sigma, kLeastSigma, kMostSigma);
+    return found;
+  };
+  const auto near = tissue(kShellFrom, kShellTo), far = tissue(kShellTo, 2.0 * kShellTo - kShellFrom);
+  const bool is_rim = near && far && begun.own.mean < near->mean && far->mean - near->mean > far->sigma;
+  return is_rim ? Beside{far, near} : Beside{near, {}};
+}
+
 /// Puts the boundary on the edge of the CT before denoising. Denoising blurs faint edges most, and the
 /// evidence counts intensities between lesion and liver for the lesion: both carry the boundary outwards.
 void find_edge(const LesionScene& scene, const Evidence& evidence, double liver, Star& star) {
@@ -353,10 +378,10 @@ GrownLesion grow_lesion(const LesionScene& given, const LesionClick& click) {
   Star star = grow_star(scene.ct, evidence, {drawn ? click.place.cast<double>() : inside, {}}, inside, kMoves,
                         begun.options);
   // The liver differs from one end to the other: what counts is what lies next to the lesion.
-  if (const auto shell = tissue_beyond(scene, scene.ct, star, kShellFrom, kShellTo);
-      shell && std::abs(shell->mean - begun.liver.mean) < 2.5 * begun.liver.sigma) {
-    begun.liver = {shell->mean, std::clamp(shell->sigma, kLeastSigma, kMostSigma)};
-    evidence = evidence_in(scene, Evidence(begun.own, begun.liver, drawn), begun.in_bite);
+  const Beside beside = beside_of(scene, star, begun);
+  if (beside.liver) {
+    begun.liver = *beside.liver;
+    evidence = evidence_in(scene, Evidence(begun.own, begun.liver, drawn, beside.rim), begun.in_bite);
     star = grow_star(scene.ct, evidence, star, inside, kLastMoves, begun.options);
   }
   const double rim = rim_mm(scene, star, begun.liver);
@@ -368,7 +393,8 @@ GrownLesion grow_lesion(const LesionScene& given, const LesionClick& click) {
   if (drawn && rim == 0.0 && !ends_as_drawn(scene, star, begun.liver, click.diameter_mm))
     return {drawn_ball(scene, click), false, true};
   const bool goes_on = ends_at_reach(star, begun.options.reach_mm);
-  if (rim == 0.0) find_edge(scene, Evidence(begun.own, begun.liver, drawn), begun.liver.mean, star);
+  if (rim == 0.0)
+    find_edge(scene, Evidence(begun.own, begun.liver, drawn, beside.rim), begun.liver.mean, star);
   return {distance_to(star, scene.ct, kBand),
           rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false, goes_on,
           hangs_on_mixed(scene, star) ? mixed_mm(scene) : 0.0};
