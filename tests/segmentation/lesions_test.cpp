@@ -147,6 +147,7 @@ class LesionsTest : public QObject {
   void ABrightLesionIsToldWhereNoVeinIsKnown();
   void ADarkLesionAroundAVeinIsNoPieceOfIt();
   void AFaintRimIsFoundOrSaid();
+  void ANecrosisHasItsLivingRim();
   void ADiameterFindsWhatCannotBeSeen();
   void ADiameterBoundsIt();
   void ADiameterDoesNotHideABorder();
@@ -324,6 +325,23 @@ void LesionsTest::AFaintRimIsFoundOrSaid() {
     QVERIFY2(one.dice > 0.7 || (one.ml == 0.0 && one.says("lesion_1.not_found")),
              qPrintable(QString::number(rim)));
     QVERIFY(grown(made, Vec::Zero(), 2.0 * kRadius).dice > 0.75);
+  }
+}
+
+void LesionsTest::ANecrosisHasItsLivingRim() {
+  // 11 mm around a dead middle are but 22 HU darker than the liver.
+  constexpr double kWhole = 24.0, kDead = 13.0;
+  Phantom made = phantom(dark);
+  made.lesion.clear();
+  made.image = test::noisy_ct(made.image.grid, 5, 12.0, [&](const Vec& p) {
+    const double r = (p - kMiddle).norm();
+    const bool liver = (p - kMiddle).cwiseQuotient(Vec(52, 46, 42)).norm() < 1.0;
+    made.lesion.push_back(r < kWhole);
+    return r < kDead ? 22.0 : r < kWhole ? kLiver - 22.0 : liver ? kLiver : -90.0;
+  });
+  for (const Vec& off : {Vec(0, 0, 0), Vec(6, -4, 3)}) {
+    const double found = grown(made, off).dice;
+    QVERIFY2(found > 0.9, qPrintable(QString::number(found)));
   }
 }
 
