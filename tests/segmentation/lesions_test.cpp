@@ -329,19 +329,20 @@ void LesionsTest::AFaintRimIsFoundOrSaid() {
 }
 
 void LesionsTest::ANecrosisHasItsLivingRim() {
-  // 11 mm around a dead middle are but 22 HU darker than the liver.
+  // 11 mm around a dead middle are 14 HU darker than the liver, which differs as much from end to end.
   constexpr double kWhole = 24.0, kDead = 13.0;
   Phantom made = phantom(dark);
   made.lesion.clear();
   made.image = test::noisy_ct(made.image.grid, 5, 12.0, [&](const Vec& p) {
     const double r = (p - kMiddle).norm();
     const bool liver = (p - kMiddle).cwiseQuotient(Vec(52, 46, 42)).norm() < 1.0;
+    const double there = kLiver + 0.3 * (p - kMiddle).x();
     made.lesion.push_back(r < kWhole);
-    return r < kDead ? 22.0 : r < kWhole ? kLiver - 22.0 : liver ? kLiver : -90.0;
+    return r < kDead ? 22.0 : r < kWhole ? there - 14.0 : liver ? there : -90.0;
   });
   for (const Vec& off : {Vec(0, 0, 0), Vec(6, -4, 3)}) {
     const double found = grown(made, off).dice;
-    QVERIFY2(found > 0.9, qPrintable(QString::number(found)));
+    QVERIFY2(found > 0.8, qPrintable(QString::number(found)));
   }
 }
 
