@@ -90,6 +90,7 @@ class ClicksTest : public QObject {
   void ALiverClickBinds();
   void ALiverClickInATumourTakesIt();
   void TumoursThatTouchArePartedAtTheNeck();
+  void ALobeThatIsLeftOutIsTold();
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
   void OnFineVoxelsNoIslandIsMadeEither();
@@ -181,6 +182,24 @@ void ClicksTest::TumoursThatTouchArePartedAtTheNeck() {
                                exchanged ? in_small : in_large);
     QVERIFY2(first > 0.85 && second > 0.85, qPrintable(QString("%1 %2").arg(first).arg(second)));
   }
+}
+
+void ClicksTest::ALobeThatIsLeftOutIsTold() {
+  // Two balls of 125 ml with a waist, as a lobe behind a tumour.
+  const Eigen::Vector3d first(36, 61, 53), second(99, 61, 53);
+  const Image image = test::noisy_ct(phantom_.image.grid, 4, 8.0, [&](const Eigen::Vector3d& p) {
+    const bool waist = p.x() > first.x() && p.x() < second.x() && (p - first).tail<2>().norm() < 18.0;
+    return waist || (p - first).norm() < 31.0 || (p - second).norm() < 31.0 ? 108.0 : -95.0;
+  });
+  Seeds seeds;
+  seeds.liver = test::points_at(image, {{30, 55, 48}, {42, 70, 58}});
+  const Segmented half = segmented(image, seeds);
+  QCOMPARE(label_at(half, second), structure::kBackground);
+  QVERIFY(has_note(half, "liver.perhaps_more 1"));
+  seeds.liver = test::points_at(image, {{30, 55, 48}, {42, 70, 58}, {98, 55, 48}});
+  const Segmented whole = segmented(image, seeds);
+  QCOMPARE(label_at(whole, second), structure::kParenchyma);
+  QVERIFY(!has_note(whole, "liver.perhaps_more"));
 }
 
 void ClicksTest::ANotLiverClickBinds() {
