@@ -26,7 +26,6 @@ constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may
 constexpr double kFineBlur = 0.8;      // mm: fine voxels carry more noise than the diffusion tells from edges
 constexpr double kDarkClick = 3.0;     // mm around a click on the liver that say what it lies in
 constexpr double kDarkSigmas = 1.5;    // below the liver
-constexpr double kLeastTissue = -30.0;                  // HU: fat, lung and gas are darker
 constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
 constexpr double kMostVoxels = 50e6;                    // of the fine contour: about 3 GB
 /// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
@@ -166,24 +165,28 @@ LesionScene lesion_scene(const Image& image, const Points& clicks, double diamet
   return scene;
 }
 
-std::vector<LesionClick> clicks_of(const Image& image, const LesionScene& scene, const Seeds& seeds,
-                                   std::size_t lesion) {
-  std::vector<LesionClick> clicks;
-  for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, seeds.lesions[lesion]))
-    clicks.push_back({place, seeds.lesion_diameter_mm(lesion)});
-  return clicks;
-}
-
-/// A click in a lesion, and its diameter, mm; 0: not known.
+/// Clicks in a lesion, and its diameter, mm; 0: not known.
 struct ClickedLesion {
   PointsIn<CtFrame> at;
   double diameter_mm = 0.0;
 };
 
+ClickedLesion lesion_of(const Seeds& seeds, std::size_t n) {
+  return {seeds.lesions[n], seeds.lesion_diameter_mm(n)};
+}
+
+std::vector<LesionClick> clicks_of(const Image& image, const LesionScene& scene,
+                                   const ClickedLesion& lesion) {
+  std::vector<LesionClick> clicks;
+  for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, lesion.at))
+    clicks.push_back({place, lesion.diameter_mm});
+  return clicks;
+}
+
 /// Whether a click on the liver lies in something darker than it: a tumour or a cyst.
 bool is_dark(const Field& ct, const Tissue& liver, const Eigen::Vector3i& click) {
   const double own = tissue_around(ct, {click}, kDarkClick, 0.0, kMostLiverSigma).mean;
-  return own < liver.mean - kLiverWidth * liver.sigma && own > kLeastTissue;
+  return own < liver.mean - kLiverWidth * liver.sigma && own > kEmptyTissue;
 }
 
 /// What is clicked of lesions, and by clicks on the liver: they bind, whatever they lie in.
@@ -191,7 +194,7 @@ std::vector<ClickedLesion> clicked_lesions(const Seeds& seeds, const Structures&
                                            const LiverSeeds& clicks) {
   std::vector<ClickedLesion> lesions;
   for (std::size_t n = 0; anew.lesions && n < seeds.lesions.size(); ++n)
-    if (seeds.lesions[n].rows() > 0) lesions.push_back({seeds.lesions[n], seeds.lesion_diameter_mm(n)});
+    if (seeds.lesions[n].rows() > 0) lesions.push_back(lesion_of(seeds, n));
   const Tissue liver = liver_at(ct, clicks.inside);
   for (std::size_t n = 0; n < clicks.inside.size(); ++n)
     if (is_dark(ct, liver, clicks.inside[n]))
@@ -207,8 +210,8 @@ bool guess_lesions(const Image& image, const std::vector<ClickedLesion>& lesions
   share_out(guesses.size(), 2, [&](std::size_t n, bool) {
     if (context.cancelled()) return;
     const LesionScene scene = lesion_scene(image, lesions[n].at, lesions[n].diameter_mm, ground);
-    for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, lesions[n].at))
-      guesses[n].push_back(guess_lesion(scene, {place, lesions[n].diameter_mm}));
+    for (const LesionClick& click : clicks_of(image, scene, lesions[n]))
+      guesses[n].push_back(guess_lesion(scene, click));
   });
   for (const std::vector<LesionGuess>& lesion : guesses)
     for (const LesionGuess& guess : lesion) {
@@ -296,7 +299,7 @@ bool add_lesions(const Image& image, const Seeds& seeds, const Field& ct, Bodies
     if (!whose.empty()) unite(scene.barred, of_others(whose, n, ct, scene.ct));
     GrownLesion& lesion = bodies.lesions[n];
     std::vector<Eigen::Vector3i> in_vain;
-    for (const LesionClick& click : clicks_of(image, scene, seeds, n)) {
+    for (const LesionClick& click : clicks_of(image, scene, lesion_of(seeds, n))) {
       GrownLesion one = grow_lesion(scene, click);
       if (one.phi.values.empty()) in_vain.push_back(click.place);
       lesion.bright = lesion.bright || one.bright;

@@ -10,10 +10,9 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kDeep = 4.0;     // mm below the border of the liver found so far
-constexpr float kEmpty = -30.0F;  // HU: fat, lung and gas are no part of it
-constexpr float kFluid = 25.0F;   // HU below which a body at the rim may be a gallbladder or ascites
-constexpr double kSight = 80.0;   // mm
+constexpr double kDeep = 4.0;    // mm below the border of the liver found so far
+constexpr float kFluid = 25.0F;  // HU below which a body at the rim may be a gallbladder or ascites
+constexpr double kSight = 80.0;  // mm
 /// Per mm: what was found; what looks unlike the liver, by how much of it is enclosed; what is brighter, as
 /// vessels and kidneys are; and what is fluid.
 constexpr float kFound = 0.1F, kEnclosing = 0.1F, kMostUnlike = 0.03F, kBright = -0.01F, kUnlikeFluid = -0.1F;
@@ -50,7 +49,7 @@ double enclosed_share(const Field& ct, const Mask& liver, const std::vector<Way>
   for (const Way& way : ways)
     for (int n = 1; n <= way.most_steps; ++n) {
       const Eigen::Vector3i v = (start + n * way.step).array().round().matrix().cast<int>();
-      if (!ct.contains(v) || ct.values[ct.offset(v)] < kEmpty) break;
+      if (!ct.contains(v) || ct.values[ct.offset(v)] < kEmptyTissue) break;
       if (liver.voxels[ct.offset(v)] == 0) continue;
       share += way.share;
       break;
@@ -82,7 +81,7 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
     if (deep.voxels[i] != 0 || included.voxels[i] != 0) reward[i] = kKnown;
     const bool parted = like.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] == 0.0F;
     if (barred.voxels[i] != 0 || parted) reward[i] = -kKnown;
-    open.voxels[i] = (open.voxels[i] != 0 && ct.values[i] > kEmpty) || reward[i] == kKnown;
+    open.voxels[i] = (open.voxels[i] != 0 && ct.values[i] > kEmptyTissue) || reward[i] == kKnown;
   }
   for (const Eigen::Vector3i& p : seeds.inside) {
     open.voxels[ct.offset(p)] = 1;

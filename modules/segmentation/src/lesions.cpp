@@ -22,7 +22,6 @@ constexpr double kLeastOwn = 5.0, kMostOwn = 15.0;      // HU, of the lesion
 constexpr double kShellFrom = 3.0, kShellTo = 10.0;     // mm outside the body: the liver next to it
 constexpr double kBand = 4.0;                           // mm
 constexpr int kMoves = 5, kLastMoves = 2;
-constexpr float kEmpty = -30.0F;     // HU: fat, lung and gas
 constexpr double kTold = 1.5;        // sigmas of the liver from which on a click tells its own tissue
 constexpr double kLeastFound = 5.0;  // mean evidence of the rays, mm: one of them as sure as can be
 
@@ -109,7 +108,8 @@ class Evidence {
 std::vector<float> evidence_in(const LesionScene& scene, const Evidence& evidence, bool in_bite) {
   std::vector<float> result(scene.ct.values.size(), static_cast<float>(-Evidence::kMost));
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (scene.barred.voxels[i] != 0 || (scene.organ.voxels.empty() && scene.ct.values[i] < kEmpty)) continue;
+    if (scene.barred.voxels[i] != 0 || (scene.organ.voxels.empty() && scene.ct.values[i] < kEmptyTissue))
+      continue;
     if (is_mixed(scene, i))
       result[i] = 0.0F;
     else if (is_organ(scene, i))

@@ -228,7 +228,7 @@ class Parting {
         waiting.push_back(n);
       }
     }
-    Sides sides{ct_.empty_mask(), ct_.empty_mask(), 0.0, Eigen::Vector3i::Zero()};
+    Sides sides{ct_.empty_mask(), ct_.empty_mask()};
     for (std::size_t n = 0; n < owned.size(); ++n) {
       if (owned[n] != 0 || clicked_[n] != 0 || shared[n] < kDoubtful * flat_face_mm2(volume[n])) continue;
       if (1e-3 * volume[n] < std::max(kDoubtfulMl, sides.doubtful_ml)) continue;

@@ -19,8 +19,8 @@ struct Sides {
   Mask rival;  ///< other parts that have a click, or are at least 5 mm deep
   /// The largest part that nobody clicked and that hangs on what is owned by more than seams, though not
   /// widely: it may be a lobe behind a tumour as well as an organ that lies against it.
-  double doubtful_ml = 0.0;  ///< 0: there is none
-  Eigen::Vector3i doubtful;  ///< the voxel where it is deepest
+  double doubtful_ml = 0.0;                            ///< 0: there is none
+  Eigen::Vector3i doubtful = Eigen::Vector3i::Zero();  ///< the voxel where it is deepest
 };
 
 /// Cuts `tissue` into parts at its necks and says which are the inside clicks'. Depth is the distance to what

@@ -11,6 +11,7 @@ struct Tissue {
 };
 
 inline constexpr double kLeastLiverSigma = 3.0, kMostLiverSigma = 15.0;  // HU, after denoising
+inline constexpr float kEmptyTissue = -30.0F;                            // HU: fat, lung and gas are darker
 inline constexpr double kVesselWidth = 5.0;  // mm, closed over in the liver-like tissue
 
 /// @throws InputError an empty image, or no CT.
