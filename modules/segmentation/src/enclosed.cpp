@@ -15,7 +15,8 @@ constexpr float kFluid = 25.0F;  // HU below which a body at the rim may be a ga
 constexpr double kSight = 80.0;  // mm
 /// Per mm: what was found; what looks unlike the liver, by how much of it is enclosed; what is brighter, as
 /// vessels and kidneys are; and what is fluid.
-constexpr float kFound = 0.1F, kEnclosing = 0.1F, kMostUnlike = 0.03F, kBright = -0.01F, kUnlikeFluid = -0.1F;
+constexpr float kFound = 0.1F, kEnclosing = 0.1F, kLeastUnlike = -0.01F, kMostUnlike = 0.03F,
+                kBright = -0.01F, kUnlikeFluid = -0.1F;
 
 /// A way from a voxel, a voxel's width at a time, and the solid angle that it stands for, of 1.
 struct Way {
@@ -70,7 +71,7 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
     if (ct.values[at] < kFluid) return kUnlikeFluid;
     const float most = ct.values[at] > static_cast<float>(liver.mean) ? kBright : kMostUnlike;
     const double beyond_half = enclosed_share(ct, found, ways, at) - 0.5;
-    return std::clamp(kEnclosing * static_cast<float>(beyond_half), -kMostUnlike, most);
+    return std::clamp(kEnclosing * static_cast<float>(beyond_half), kLeastUnlike, most);
   };
   std::vector<float> reward(open.voxels.size(), 0.0F);
   for (std::size_t i = 0; i < reward.size(); ++i) {
