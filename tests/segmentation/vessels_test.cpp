@@ -37,7 +37,17 @@ struct Phantom {
   static constexpr double kKidney = 13.0, kCortex = 5.0;  // mm: radius and thickness
   Eigen::Vector3d kidney{100, 30, 38};
 
-  explicit Phantom(unsigned seed, double vessel_hu = 190.0, bool with_kidney = false) {
+  /// What else may lie there.
+  struct Setting {
+    double portal_hu = 190.0, hepatic_hu = 190.0;
+    bool with_kidney = false;
+    double liver_from = 8.0;  ///< mm: below it the portal trunk runs outside
+    double heart_from = 1e9;  ///< mm: what lies above is a heart that shines in
+  };
+
+  explicit Phantom(unsigned seed, double vessel_hu = 190.0, bool with_kidney = false)
+      : Phantom(seed, Setting{vessel_hu, vessel_hu, with_kidney, 8.0, 1e9}) {}
+  Phantom(unsigned seed, const Setting& setting) {
     portal = {{{54, 48, 2}, {54, 48, 40}, 5.0},
               {{54, 48, 40}, {25, 48, 62}, 4.0},
               {{54, 48, 40}, {85, 48, 60}, 3.0}};
@@ -56,18 +66,20 @@ struct Phantom {
       for (int j = 0; j < grid.size.y(); ++j)
         for (int i = 0; i < grid.size.x(); ++i) {
           const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
-          const double inside_kidney = with_kidney ? kKidney - (p - kidney).norm() : -1e9;
-          const bool in =
-              (p.array() > 8.0).all() && p.x() < 98 && p.y() < 84 && p.z() < 88 && inside_kidney < 0.0;
-          const double depth = std::max(depth_in(portal, p), depth_in(hepatic, p));
+          const double inside_kidney = setting.with_kidney ? kKidney - (p - kidney).norm() : -1e9;
+          const bool in = (p.array() > 8.0).all() && p.z() > setting.liver_from && p.x() < 98 && p.y() < 84 &&
+                          p.z() < 88 && inside_kidney < 0.0;
+          const double in_portal = depth_in(portal, p), in_hepatic = depth_in(hepatic, p);
+          const double depth = std::max(in_portal, in_hepatic);
           const double vessel = 1.0 / (1.0 + std::exp(-depth / 0.4));
           const double cortex =
               1.0 / (1.0 + std::exp(-std::min(inside_kidney, kCortex - inside_kidney) / 0.8));
-          const double organ = (in                    ? 110.0
+          const bool in_heart = p.z() > setting.heart_from && p.x() < 98 && p.y() < 84;
+          const double organ = (in || in_heart        ? (p.z() > setting.heart_from ? 150.0 : 110.0)
                                 : inside_kidney > 0.0 ? 120.0
                                                       : -90.0) *
                                    (1.0 - vessel) +
-                               vessel_hu * vessel;
+                               (in_portal > in_hepatic ? setting.portal_hu : setting.hepatic_hu) * vessel;
           const double hu = organ * (1.0 - cortex) + 270.0 * cortex + noise(random);
           voxels.push_back(static_cast<std::int16_t>(std::lround(hu)));
           labels.push_back(in ? structure::kParenchyma : structure::kBackground);
@@ -104,6 +116,7 @@ bool tells(const Segmented& found, const std::string& code) {
 
 struct Counts {
   long right = 0, wrong = 0, missed = 0, extra = 0;
+  long far = 0;  ///< of the extra ones, more than 2 mm from either tree
   double dice() const {
     return 2.0 * static_cast<double>(right) / static_cast<double>(2 * right + wrong + missed + extra);
   }
@@ -130,6 +143,7 @@ Counts compare(const Phantom& p, const LabelMap& found, const std::vector<Tube>&
             ++counts.missed;
         } else if (elsewhere <= 0.0 && l == label) {
           ++counts.extra;
+          counts.far += depth < -2.0 && elsewhere < -2.0;
         }
       }
   return counts;
@@ -177,6 +191,9 @@ class VesselsTest : public QObject {
   void DimVesselsLetNoNoiseIn();
   void VesselsThatHardlyEnhanceAreTold();
   void TheRimOfAKidneyIsNoVein();
+  void ATrunkIsClickedWhereItIsWidest();
+  void ATreeThatIsNotSeenIsNotInvented();
+  void AHeartThatShinesInIsNoVein();
 };
 
 void VesselsTest::CutIsAsCheapAsTheCheapestOfAll() {
@@ -311,6 +328,43 @@ void VesselsTest::TheRimOfAKidneyIsNoVein() {
   QVERIFY2(rim < 20, qPrintable(QString::number(rim)));
   const Counts hepatic = compare(p, labels).second;
   QVERIFY2(hepatic.dice() > 0.8, qPrintable(QString::number(hepatic.dice())));
+}
+
+void VesselsTest::ATrunkIsClickedWhereItIsWidest() {
+  Phantom::Setting setting;
+  setting.liver_from = 38.0;
+  const Phantom p(1, setting);
+  Seeds seeds = p.roots();
+  seeds.portal_vein = p.at({{54, 48, 8}});  // 30 mm before the liver
+  const Counts portal = compare(p, p.found(seeds, p.liver).labels).first;
+  qInfo("portal %ld right, %ld missed, %ld far", portal.right, portal.missed, portal.far);
+  QVERIFY(portal.right > 1000 && portal.right > 20 * portal.missed && portal.far < 20);
+}
+
+void VesselsTest::ATreeThatIsNotSeenIsNotInvented() {
+  // As in a late arterial phase: the portal vein is there, the hepatic veins are as grey as the liver.
+  Phantom::Setting setting;
+  setting.portal_hu = 190.0;
+  setting.hepatic_hu = 114.0;
+  const Phantom p(1, setting);
+  Seeds seeds = p.roots();
+  seeds.hepatic_veins = p.at({{55, 30, 84}, {54, 30, 76}, {70, 30, 56}});
+  const Segmented found = p.found(seeds, p.liver);
+  const auto [portal, hepatic] = compare(p, found.labels);
+  QVERIFY(tells(found, "hepatic_veins.faint") && tells(found, "hepatic_veins.not_found"));
+  QVERIFY(!tells(found, "portal_vein.faint"));
+  QCOMPARE(hepatic.right + hepatic.extra, 0L);
+  QVERIFY2(portal.dice() > 0.8, qPrintable(QString::number(portal.dice())));
+}
+
+void VesselsTest::AHeartThatShinesInIsNoVein() {
+  // The uppermost 10 mm of the liver are half as bright as its veins, one of which runs through them.
+  Phantom::Setting setting;
+  setting.heart_from = 78.0;
+  const Phantom p(1, setting);
+  const Counts hepatic = compare(p, p.found(p.roots(), p.liver).labels).second;
+  qInfo("%ld right, %ld far", hepatic.right, hepatic.far);
+  QVERIFY(hepatic.right > 1000 && hepatic.far < 20);
 }
 
 QTEST_APPLESS_MAIN(VesselsTest)

@@ -21,6 +21,7 @@ namespace glisson::segmentation {
 namespace {
 
 constexpr double kVesselSpacing = 1.0;  // mm
+constexpr double kAroundTrees = 15.0;   // mm that trees are looked for in around the liver and their clicks
 /// What of the hepatic veins may lie outside of the liver, ml: three trunks of 10 mm, 15 mm long, are 3.5.
 constexpr double kVeinsBeyond = 5.0;
 /// The same beside a vena cava that was found: its mouth and rim count, too.
@@ -121,6 +122,19 @@ Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew
   return painting;
 }
 
+/// Grows the box to what lies around clicks that are not far from it.
+void add_clicks(const VolumeGrid& grid, const Points& clicks, VoxelBox& box) {
+  const Eigen::Vector3d far = kFarthestClick * grid.spacing_mm.cwiseInverse();
+  const VoxelBox before = box;
+  for (Eigen::Index n = 0; n < clicks.rows(); ++n) {
+    const VoxelBox around = box_around(grid, Points(clicks.row(n)), kAroundTrees);
+    if ((around.high.cast<double>().array() < before.low.cast<double>().array() - far.array()).any() ||
+        (around.low.cast<double>().array() > before.high.cast<double>().array() + far.array()).any())
+      continue;
+    box = {box.low.cwiseMin(around.low), box.high.cwiseMax(around.high)};
+  }
+}
+
 /// Both trees, on voxels of 1 mm around the liver.
 struct FoundVessels {
   VoxelBox box;
@@ -135,7 +149,9 @@ Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, con
   Mask everything = bodies.liver;
   unite(everything, bodies.cava);
   unite(everything, bodies.gallbladder);
-  found.box = image_box(image.grid, bodies.grid, everything, 15.0);
+  found.box = image_box(image.grid, bodies.grid, everything, kAroundTrees);
+  if (anew.portal_vein) add_clicks(image.grid, seeds.portal_vein, found.box);
+  if (anew.hepatic_veins) add_clicks(image.grid, seeds.hepatic_veins, found.box);
   found.grid = resampled(image, found.box, kVesselSpacing);
   smooth(found.grid, 0.7);
   if (context.cancelled()) return std::nullopt;

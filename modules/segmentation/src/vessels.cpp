@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glisson/core/share_out.h"
+#include "glisson/core/statistics.h"
 #include "tree_split.h"
 
 namespace glisson::segmentation {
@@ -16,11 +17,18 @@ constexpr double kThickest = 9.0;  // mm: the radius from which on something bri
 constexpr double kBodyRim = 3.0;   // mm around what is brighter than any vessel in which it shines through
 constexpr double kSmallestTree = 0.2;  // ml below which a piece is noise
 /// Brightness of candidates in the liver, of tubular ones, and outside; 0 parenchyma, 1 the clicked vessels.
-constexpr double kBright = 0.35, kDim = 0.2, kBrightOutside = 0.6, kTooBright = 1.6, kBodyInside = 2.0;
-constexpr double kTubular = 0.08;  // of the same contrast
+constexpr double kBright = 0.35, kDim = 0.12, kBrightOutside = 0.6, kTooBright = 1.6, kBodyInside = 2.0;
+constexpr double kTubular = 0.05;  // of the same contrast
 /// And never less than this many sigmas of the parenchyma: a click on a dim vein must not let noise in.
-constexpr double kNoiseBright = 3.4, kNoiseDim = 1.9, kNoiseTubular = 0.75;
+constexpr double kNoiseBright = 3.4, kNoiseDim = 1.2;
+/// Nor than so often what parenchyma reaches in one voxel of twenty: nodules and noise look like short tubes.
+constexpr double kNoiseTubular = 2.2, kUsual = 0.95;
+/// Sigmas by which a tree's clicks are brighter than the parenchyma, or it is not seen.
+constexpr double kLeastSeen = 2.0;
 constexpr std::array<double, 3> kScales = {1.2, 2.0, 3.2};  // mm
+constexpr double kLevel = 0.1;  // of the contrast: steps of how bright what is broad is
+constexpr int kLevels = 5;
+constexpr double kTrunkWay = 12.0;  // mm around the straight way from a click outside to the liver
 
 /// Second derivatives by central differences at an inner voxel.
 Eigen::Matrix3f hessian(const Field& f, std::size_t at) {
@@ -48,9 +56,35 @@ float tube_response(const Eigen::Matrix3f& h) {
   return lambda[1] < 0.0F ? -lambda[1] : 0.0F;
 }
 
+/// A trunk is clicked where it is widest, which may be cm before the liver: the way from there belongs to
+/// where it is looked for.
+void add_way_to_liver(const Field& ct, const Mask& liver, const Eigen::Vector3i& click, Mask& region) {
+  const auto to_click = [&](const Eigen::Vector3i& v) {
+    return Eigen::Vector3d((v - click).cast<double>().cwiseProduct(ct.spacing_mm));
+  };
+  double nearest = kFarthestClick;
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
+    if (liver.voxels[i] == 0) continue;
+    const Eigen::Vector3d d = to_click(ct.voxel_at(i));
+    if (d.norm() >= nearest) continue;
+    nearest = d.norm();
+    way = d;
+  }
+  if (nearest <= kOutside || nearest >= kFarthestClick) return;
+  for (std::size_t i = 0; i < region.voxels.size(); ++i) {
+    const Eigen::Vector3d d = to_click(ct.voxel_at(i));
+    const double along = std::clamp(d.dot(way) / way.squaredNorm(), 0.0, 1.0);
+    if ((d - along * way).squaredNorm() <= kTrunkWay * kTrunkWay) region.voxels[i] = 1;
+  }
+}
+
 /// Where vessels are looked for: in the liver with its bays and a little around, not in the cava.
-Mask search_region(const Mask& liver, const Mask& cava, const Mask& barred) {
+Mask search_region(const Field& ct, const Mask& liver, const Mask& cava, const Mask& barred,
+                   const VesselSeeds& seeds) {
   Mask region = dilated(closed(liver, 8.0), kOutside);
+  for (const auto* clicks : {&seeds.portal, &seeds.hepatic})
+    for (const Eigen::Vector3i& click : *clicks) add_way_to_liver(ct, liver, click, region);
   for (std::size_t i = 0; i < region.voxels.size(); ++i)
     if (cava.voxels[i] != 0 || barred.voxels[i] != 0) region.voxels[i] = 0;
   return region;
@@ -74,6 +108,53 @@ void remove_rims(const Mask& liver, const std::vector<float>& brightness, Mask& 
   const Mask rim = dilated(opened(body, 1.0), kBodyRim);
   for (std::size_t i = 0; i < rim.voxels.size(); ++i)
     if (rim.voxels[i] != 0) candidates.voxels[i] = 0;
+}
+
+/// How bright what is broad is around each voxel, of the contrast above `mean`: a grey-scale opening (of
+/// which what is left is the white top hat) by a ball that fits into no vessel of the liver, in steps, at
+/// every other voxel. So a heart's blur, a lobe that is perfused more, and the rims of both are no vessels.
+std::vector<float> broad_brightness(const Field& ct, double mean, double contrast) {
+  constexpr int kEvery = 2;
+  Field blurred = ct;
+  smooth(blurred, 1.0);
+  const Eigen::Vector3i size = (ct.size.array() + kEvery - 1) / kEvery;
+  Mask above(size, kEvery * ct.spacing_mm);
+  std::vector<float> coarse(above.voxels.size(), 0.0F);
+  for (int n = 1; n <= kLevels; ++n) {
+    const auto limit = static_cast<float>(mean + n * kLevel * contrast);
+    std::size_t at = 0;
+    for (int k = 0; k < size.z(); ++k)
+      for (int j = 0; j < size.y(); ++j)
+        for (int i = 0; i < size.x(); ++i, ++at)
+          above.voxels[at] = blurred.values[ct.offset(kEvery * i, kEvery * j, kEvery * k)] > limit ? 1 : 0;
+    const Mask broad = opened(above, kThickest);
+    for (std::size_t i = 0; i < coarse.size(); ++i)
+      if (broad.voxels[i] != 0) coarse[i] = static_cast<float>(n * kLevel);
+  }
+  std::vector<float> result;
+  result.reserve(ct.values.size());
+  for (int k = 0; k < ct.size.z(); ++k)
+    for (int j = 0; j < ct.size.y(); ++j)
+      for (int i = 0; i < ct.size.x(); ++i)
+        result.push_back(coarse[above.offset(i / kEvery, j / kEvery, k / kEvery)]);
+  return result;
+}
+
+/// What darker things beside it make of parenchyma is no tube: fat along the liver's edge, tumours.
+Field without_darker(Field ct, const Tissue& parenchyma) {
+  for (float& value : ct.values) value = std::max(value, static_cast<float>(parenchyma.mean));
+  return ct;
+}
+
+/// The tubeness that parenchyma has by itself.
+double usual_tubeness(const Field& ct, const Mask& liver, const Tissue& parenchyma,
+                      const std::vector<float>& tubes) {
+  std::vector<float> usual;
+  usual.reserve(tubes.size() / 4);
+  for (std::size_t i = 0; i < tubes.size(); ++i)
+    if (liver.voxels[i] != 0 && std::abs(ct.values[i] - parenchyma.mean) < 2.0 * parenchyma.sigma)
+      usual.push_back(tubes[i]);
+  return usual.empty() ? 0.0 : static_cast<double>(lower_percentile(std::move(usual), kUsual));
 }
 
 /// The nearest candidate to each click, within a few mm: clicks are not exact.
@@ -112,18 +193,19 @@ Mask pieces_of(const Field& ct, const std::vector<Owner>& owner, Owner who) {
   return mask;
 }
 
-/// How much brighter than parenchyma the clicked vessels are, HU.
-double vessel_contrast(const Field& ct, const VesselSeeds& seeds, const Tissue& parenchyma) {
-  std::vector<Eigen::Vector3i> all = seeds.portal;
-  all.insert(all.end(), seeds.hepatic.begin(), seeds.hepatic.end());
-  const Tissue vessel = tissue_around(ct, all, 2.0, 1.0, 50.0);
-  return std::max(vessel.mean - parenchyma.mean, 3.0 * parenchyma.sigma);
+/// How much brighter than the parenchyma the clicks are, HU.
+double brighter_by(const Field& ct, const std::vector<Eigen::Vector3i>& clicks, const Tissue& parenchyma) {
+  return tissue_around(ct, clicks, 2.0, 1.0, 50.0).mean - parenchyma.mean;
 }
 
-/// Whether what was clicked is not bright enough to be a candidate for a vessel by itself.
-bool is_faint(const Field& ct, const std::vector<Eigen::Vector3i>& clicks, const Tissue& parenchyma) {
-  return !clicks.empty() &&
-         tissue_around(ct, clicks, 2.0, 1.0, 50.0).mean < parenchyma.mean + kNoiseBright * parenchyma.sigma;
+/// A tree's clicks, unless nothing tells it from the parenchyma. @param is_faint set where it is not bright
+/// enough to be a candidate by itself.
+std::vector<Eigen::Vector3i> seen(const Field& ct, const std::vector<Eigen::Vector3i>& clicks,
+                                  const Tissue& parenchyma, bool& is_faint) {
+  if (clicks.empty()) return {};
+  const double brighter = brighter_by(ct, clicks, parenchyma);
+  is_faint = brighter < kNoiseBright * parenchyma.sigma;
+  return brighter < kLeastSeen * parenchyma.sigma ? std::vector<Eigen::Vector3i>{} : clicks;
 }
 
 }  // namespace
@@ -154,21 +236,26 @@ Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
 }
 
 Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava, const Mask& barred,
-                                  const Tissue& parenchyma, const VesselSeeds& seeds,
+                                  const Tissue& parenchyma, const VesselSeeds& clicked,
                                   const RunContext& context) {
   Vessels vessels{ct.empty_mask(), ct.empty_mask()};
+  const VesselSeeds seeds{seen(ct, clicked.portal, parenchyma, vessels.portal_is_faint),
+                          seen(ct, clicked.hepatic, parenchyma, vessels.hepatic_is_faint)};
   if (seeds.portal.empty() && seeds.hepatic.empty()) return vessels;
-  vessels.portal_is_faint = is_faint(ct, seeds.portal, parenchyma);
-  vessels.hepatic_is_faint = is_faint(ct, seeds.hepatic, parenchyma);
-  const Mask region = search_region(liver, cava, barred);
-  const auto tubes =
-      tubeness(ct, region, std::vector<double>(kScales.begin(), kScales.end()), context.part(0.0, 0.6));
+  const Mask region = search_region(ct, liver, cava, barred, seeds);
+  const auto tubes = tubeness(without_darker(ct, parenchyma), region,
+                              std::vector<double>(kScales.begin(), kScales.end()), context.part(0.0, 0.6));
   if (!tubes) return std::nullopt;
 
-  const double contrast = vessel_contrast(ct, seeds, parenchyma), noise = parenchyma.sigma / contrast;
+  std::vector<Eigen::Vector3i> all = seeds.portal;
+  all.insert(all.end(), seeds.hepatic.begin(), seeds.hepatic.end());
+  const double contrast = std::max(brighter_by(ct, all, parenchyma), 3.0 * parenchyma.sigma);
+  const double noise = parenchyma.sigma / contrast;
   const double least_bright = std::max(kBright, kNoiseBright * noise);
   const double least_dim = std::max(kDim, kNoiseDim * noise);
-  const double least_tubular = std::max(kTubular, kNoiseTubular * noise);
+  const double least_tubular =
+      std::max(kTubular, kNoiseTubular * usual_tubeness(ct, liver, parenchyma, *tubes) / contrast);
+  const std::vector<float> broad = broad_brightness(ct, parenchyma.mean, contrast);
   Mask candidates = ct.empty_mask(), everything_bright = candidates;
   std::vector<float> brightness(ct.values.size(), 0.0F);
   for (std::size_t i = 0; i < candidates.voxels.size(); ++i) {
@@ -180,7 +267,8 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
     // Thick vessels are bright without looking like tubes; thin ones look like tubes but are dimmed by blur.
     // Outside the liver, where other bright things lie, only what is as bright as the clicks counts.
     const bool in = liver.voxels[i] != 0;
-    candidates.voxels[i] = in ? (bright > least_bright || (bright > least_dim && tube > least_tubular))
+    const double above = bright - static_cast<double>(broad[i]);
+    candidates.voxels[i] = in ? (above > least_bright || (above > least_dim && tube > least_tubular))
                               : (bright > kBrightOutside && bright < kTooBright);
   }
   remove_thick(everything_bright, candidates);

@@ -7,6 +7,9 @@
 
 namespace glisson::segmentation {
 
+/// mm before the liver that a click on a trunk is followed from.
+constexpr double kFarthestClick = 60.0;
+
 struct VesselSeeds {
   std::vector<Eigen::Vector3i> portal, hepatic;  ///< voxels of the field
 };
@@ -14,7 +17,7 @@ struct VesselSeeds {
 struct Vessels {
   Mask portal, hepatic;
   /// Its clicks are hardly brighter than the parenchyma, so that it is not told from the noise: another
-  /// phase.
+  /// phase. Where nothing tells it from the parenchyma, the tree is empty.
   bool portal_is_faint = false, hepatic_is_faint = false;
 };
 
