@@ -45,6 +45,7 @@ class PartingTest : public QObject {
   void WhatIsBroadlyJoinedIsOwned();
   void WhatMeetsInStripsIsARival();
   void ALobeBehindATumourIsDoubtful();
+  void ALobeInPiecesIsDoubtfulAsOne();
   void AClickInsideTakesWhatHangsByANeck();
   void ClicksOnBothSidesPartAtTheNarrowestPlace();
   void FrontsMeetInTheNeck();
@@ -100,6 +101,29 @@ void PartingTest::ALobeBehindATumourIsDoubtful() {
   // Nor is there a doubt where somebody has said what it is.
   QCOMPARE(parted(field_, two_balls(field_, 100.0, 30.0, 18.0), {{at_mm(30)}, {at_mm(100)}}).doubtful_ml,
            0.0);
+}
+
+void PartingTest::ALobeInPiecesIsDoubtfulAsOne() {
+  // Two balls of 74 ml behind each other, neither as large as a lobe that would be told. What joins them is
+  // as broad as they are, and flatter.
+  const Field field = field_of({130, 48, 48}, 1.5);
+  const auto joined_by = [&](double width, double thickness) {
+    const Mask tissue = body(field, [=](const Eigen::Vector3d& p) {
+      const Eigen::Vector3d d = p - kLarge;
+      const bool rod = d.x() > 0.0 && d.x() < 60.0 && d.tail<2>().norm() < 19.5;
+      const bool slab =
+          d.x() > 60.0 && d.x() < 104.0 && std::abs(d.y()) < 0.5 * width && std::abs(d.z()) < 0.5 * thickness;
+      return rod || slab || d.norm() < kLargeRadius || (d - Eigen::Vector3d(60, 0, 0)).norm() < 26.0 ||
+             (d - Eigen::Vector3d(104, 0, 0)).norm() < 26.0;
+    });
+    return parted(field, tissue, {{at_mm(30)}, {}});
+  };
+  const Sides sides = joined_by(52.0, 38.0);
+  QCOMPARE(side_at(field, sides.own, 95) + side_at(field, sides.own, 144), 0);
+  QVERIFY2(sides.doubtful_ml > 150.0 && sides.doubtful_ml < 200.0,
+           qPrintable(QString::number(sides.doubtful_ml)));
+  // What hangs on the piece by a thin rod is not of its body.
+  QCOMPARE(joined_by(12.0, 12.0).doubtful_ml, 0.0);
 }
 
 void PartingTest::AClickInsideTakesWhatHangsByANeck() {

@@ -16,9 +16,8 @@ namespace {
 constexpr double kSeamBlur = 1.5;  // mm
 constexpr double kTypical = 0.95;  // of the tissue without seams that counts as such
 constexpr float kSameBody = 0.8F;  // of the shallower body's depth that a neck within a body has
-/// What a part shares with owned ones, of a half ball's flat face.
-constexpr double kWide = 0.3;
-constexpr double kBroad = 0.8;  // where somebody clicked outside
+/// What a part shares with owned ones, of a half ball's flat face, where somebody clicked outside.
+constexpr double kBroad = 0.8;
 constexpr double kDoubtful = 0.1;
 constexpr double kDoubtfulMl = 100.0;  // a pancreas has less
 constexpr float kPassage = 1.9F;       // voxels of depth from which on a face counts
@@ -130,7 +129,7 @@ Mask beyond_of(const Mask& tissue) {
 
 class Parting {
  public:
-  Parting(const Field& ct, const Mask& tissue) : ct_(ct), tissue_(tissue) {
+  Parting(const Field& ct, const Mask& tissue, double wide) : ct_(ct), wide_(wide), tissue_(tissue) {
     const Mask beyond = beyond_of(tissue);
     for (std::size_t i = 0; i < beyond.voxels.size(); ++i) tissue_.voxels[i] = beyond.voxels[i] == 0 ? 1 : 0;
     depth_ = squared_distance_mm2(beyond);
@@ -222,19 +221,14 @@ class Parting {
       for (const auto& [other, area] : neighbours[at]) {
         const auto n = static_cast<std::size_t>(other);
         shared[n] += area;
-        const double enough = clicked_[n] == 0 ? kWide : kBroad;
+        const double enough = clicked_[n] == 0 ? wide_ : kBroad;
         if (owned[n] != 0 || shared[n] < enough * flat_face_mm2(volume[n])) continue;
         owned[n] = 1;
         waiting.push_back(n);
       }
     }
     Sides sides{ct_.empty_mask(), ct_.empty_mask()};
-    for (std::size_t n = 0; n < owned.size(); ++n) {
-      if (owned[n] != 0 || clicked_[n] != 0 || shared[n] < kDoubtful * flat_face_mm2(volume[n])) continue;
-      if (1e-3 * volume[n] < std::max(kDoubtfulMl, sides.doubtful_ml)) continue;
-      sides.doubtful_ml = 1e-3 * volume[n];
-      sides.doubtful = ct_.voxel_at(summit_[n]);
-    }
+    tell_doubtful(walls, owned, volume, shared, sides);
     for (std::size_t i = 0; i < part_.size(); ++i) {
       if (part_[i] < 0) continue;
       const auto n = static_cast<std::size_t>(part_[i]);
@@ -245,6 +239,32 @@ class Parting {
   }
 
  private:
+  /// A lobe may fall into parts itself: what nobody clicked and broadly belongs together is judged as one.
+  void tell_doubtful(const std::vector<Face>& walls, const std::vector<std::uint8_t>& owned,
+                     std::vector<double> volume, std::vector<double> shared, Sides& sides) const {
+    const std::vector<double> alone = volume;
+    Unions bodies(peak_.size());
+    for (const Face& wall : walls) {
+      const auto a = static_cast<std::size_t>(wall.a), b = static_cast<std::size_t>(wall.b);
+      if (owned[a] != 0 || owned[b] != 0 || clicked_[a] != 0 || clicked_[b] != 0) continue;
+      if (wall.value < wide_ * flat_face_mm2(std::min(alone[a], alone[b]))) continue;
+      const auto stays = static_cast<std::size_t>(bodies.of(wall.a)),
+                 goes = static_cast<std::size_t>(bodies.of(wall.b));
+      if (stays == goes) continue;
+      bodies.unite(static_cast<int>(stays), static_cast<int>(goes));
+      volume[stays] += volume[goes];
+      shared[stays] += shared[goes];
+    }
+    for (std::size_t n = 0; n < owned.size(); ++n) {
+      if (bodies.of(static_cast<int>(n)) != static_cast<int>(n) || owned[n] != 0 || clicked_[n] != 0)
+        continue;
+      if (shared[n] < kDoubtful * flat_face_mm2(volume[n])) continue;
+      if (1e-3 * volume[n] < std::max(kDoubtfulMl, sides.doubtful_ml)) continue;
+      sides.doubtful_ml = 1e-3 * volume[n];
+      sides.doubtful = ct_.voxel_at(summit_[n]);
+    }
+  }
+
   int part_near(const Eigen::Vector3i& click) const {
     const int reach = static_cast<int>(std::ceil(kBesideClick / ct_.spacing_mm.minCoeff()));
     double best = kBesideClick;
@@ -262,6 +282,7 @@ class Parting {
   }
 
   const Field& ct_;
+  double wide_;  ///< what a part of nobody's clicks shares with owned ones
   Mask tissue_;
   std::vector<float> depth_, peak_;
   std::vector<std::size_t> summit_;  ///< of each part, its deepest voxel
@@ -291,8 +312,8 @@ Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical) {
 }
 
 Cancellable<Sides> part_at_necks(const Field& ct, const Mask& tissue, const LiverSeeds& seeds,
-                                 const RunContext& context) {
-  Parting parting(ct, tissue);
+                                 const RunContext& context, double wide) {
+  Parting parting(ct, tissue, wide);
   if (context.cancelled()) return std::nullopt;
   parting.flood();
   parting.mark(seeds);

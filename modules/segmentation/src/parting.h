@@ -17,11 +17,16 @@ Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical);
 struct Sides {
   Mask own;    ///< what belongs to the clicks inside
   Mask rival;  ///< other parts that have a click, or are at least 5 mm deep
-  /// The largest part that nobody clicked and that hangs on what is owned by more than seams, though not
-  /// widely: it may be a lobe behind a tumour as well as an organ that lies against it.
+  /// The largest body that nobody clicked (parts that share wide faces are one) and that hangs on what is
+  /// owned by more than seams, though not widely: it may be a lobe behind a tumour as well as an organ that
+  /// lies against it.
   double doubtful_ml = 0.0;                            ///< 0: there is none
   Eigen::Vector3i doubtful = Eigen::Vector3i::Zero();  ///< the voxel where it is deepest
 };
+
+/// What makes a part the clicks': its face with what they own, of the flat face of a half ball. A lobe that a
+/// person has clicked beside is lost dearly, a place where nobody has clicked is chosen from what is certain.
+constexpr double kLobeFace = 0.25, kCertainFace = 0.3;
 
 /// Cuts `tissue` into parts at its necks and says which are the inside clicks'. Depth is the distance to what
 /// is not tissue.
@@ -29,12 +34,12 @@ struct Sides {
 /// 2. Two neighbours become one part where the neck between them is at least 0.8 times as deep as the
 ///    shallower of them, unless together they hold clicks of both kinds.
 /// 3. Parts with a click inside or in a lesion are owned, also if they hold one outside. So is every part
-///    without a click whose face with owned parts is wide for its volume: 0.3 times the flat face of a half
-///    ball, counted where two voxels of tissue and more lie around it. The left lobe hangs on the right one
+///    without a click whose face with owned parts is `wide` for its volume, in flat faces of a half ball,
+///    counted where two voxels of tissue and more lie around it. The left lobe hangs on the right one
 ///    so; a pancreas or a stomach does not, for organs that lie against each other meet in strips.
 /// 4. A part with clicks outside alone is owned where that face is 0.8 of it: whoever clicked did not mean
 ///    all of it.
 Cancellable<Sides> part_at_necks(const Field& ct, const Mask& tissue, const LiverSeeds& seeds,
-                                 const RunContext& context);
+                                 const RunContext& context, double wide = kLobeFace);
 
 }  // namespace glisson::segmentation

@@ -144,7 +144,8 @@ Cancellable<PointsIn<CtFrame>> propose_liver_seeds(const Image& image, const Run
     if (core->mask.voxels[i] != 0 && scene.is_right(i) && (!deepest || depth2[i] > depth2[*deepest]))
       deepest = i;
   require(deepest.has_value(), "a body with so much on the right has voxels there");
-  const auto sides = part_at_necks(ct, alike, {{scene.ct.voxel_at(*deepest)}, {}}, context.quiet());
+  const auto sides =
+      part_at_necks(ct, alike, {{scene.ct.voxel_at(*deepest)}, {}}, context.quiet(), kCertainFace);
   if (!sides) return std::nullopt;
   const Mask places = where(ct, [&](std::size_t i) {
     return sides->own.voxels[i] != 0 && depth2[i] > kCore * kCore && scene.is_right(i) &&
