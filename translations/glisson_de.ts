@@ -9443,6 +9443,22 @@
         <translation>in silico, Läsionen über 1 ml, ein Strich quer durch: Dice, Median</translation>
     </message>
     <message>
+        <source>real CT, altered: Dice of the portal vein in the liver, median</source>
+        <translation>echtes CT, verändert: Dice der Pfortader in der Leber, Median</translation>
+    </message>
+    <message>
+        <source>real CT, altered: Dice of the hepatic veins in the liver, median</source>
+        <translation>echtes CT, verändert: Dice der Lebervenen in der Leber, Median</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers: Dice of the portal vein in the liver, median</source>
+        <translation>in silico, kranke Lebern: Dice der Pfortader in der Leber, Median</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers: Dice of the hepatic veins in the liver, median</source>
+        <translation>in silico, kranke Lebern: Dice der Lebervenen in der Leber, Median</translation>
+    </message>
+    <message>
         <source>A video in %1 could not be written and read back here: OpenCV&apos;s FFmpeg lacks it.</source>
         <translation>Ein Video in %1 ließ sich hier nicht schreiben und wieder lesen: OpenCVs FFmpeg kann es nicht.</translation>
     </message>

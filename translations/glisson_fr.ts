@@ -9443,6 +9443,22 @@
         <translation>in silico, lésions de plus de 1 ml, un trait en travers : Dice, médiane</translation>
     </message>
     <message>
+        <source>real CT, altered: Dice of the portal vein in the liver, median</source>
+        <translation>CT réel, modifié : Dice de la veine porte dans le foie, médiane</translation>
+    </message>
+    <message>
+        <source>real CT, altered: Dice of the hepatic veins in the liver, median</source>
+        <translation>CT réel, modifié : Dice des veines hépatiques dans le foie, médiane</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers: Dice of the portal vein in the liver, median</source>
+        <translation>in silico, foies malades : Dice de la veine porte dans le foie, médiane</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers: Dice of the hepatic veins in the liver, median</source>
+        <translation>in silico, foies malades : Dice des veines hépatiques dans le foie, médiane</translation>
+    </message>
+    <message>
         <source>A video in %1 could not be written and read back here: OpenCV&apos;s FFmpeg lacks it.</source>
         <translation>Une vidéo en %1 n’a pas pu être écrite puis relue ici : le FFmpeg d’OpenCV ne le sait pas.</translation>
     </message>

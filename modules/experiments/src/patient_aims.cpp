@@ -100,6 +100,18 @@ const std::vector<Aim>& patient_aims() {
       {"trial_synthetic_dice_drawn_lesion_median",
        QT_TRANSLATE_NOOP("cli", "in silico, lesions above 1 ml, a line drawn across: Dice, median"),
        in_silico, at_least, 0.8, 3},
+      {"trial_altered_dice_portal_vein_median",
+       QT_TRANSLATE_NOOP("cli", "real CT, altered: Dice of the portal vein in the liver, median"), real,
+       at_least, 0.75, 3},
+      {"trial_altered_dice_hepatic_veins_median",
+       QT_TRANSLATE_NOOP("cli", "real CT, altered: Dice of the hepatic veins in the liver, median"), real,
+       at_least, 0.7, 3},
+      {"trial_synthetic_dice_portal_vein_median",
+       QT_TRANSLATE_NOOP("cli", "in silico, ill livers: Dice of the portal vein in the liver, median"),
+       in_silico, at_least, 0.75, 3},
+      {"trial_synthetic_dice_hepatic_veins_median",
+       QT_TRANSLATE_NOOP("cli", "in silico, ill livers: Dice of the hepatic veins in the liver, median"),
+       in_silico, at_least, 0.7, 3},
   };
   return kAims;
 }

@@ -11,6 +11,7 @@
 #include "glisson/core/stopwatch.h"
 #include "glisson/insilico/altered_ct.h"
 #include "glisson/insilico/layperson.h"
+#include "glisson/insilico/operator.h"
 #include "glisson/insilico/pathology.h"
 #include "glisson/segmentation/correct_around.h"
 #include "glisson/segmentation/evaluate.h"
@@ -70,7 +71,7 @@ std::vector<Label> clicked_lesions(const LabelMap& truth) {
 }
 
 std::string line_of(const char* format, const std::string& name, const std::string& rest) {
-  char text[160];
+  char text[180];
   std::snprintf(text, sizeof text, format, name.c_str(), rest.c_str());
   return text;
 }
@@ -96,11 +97,11 @@ class Trials {
     proof_.table.push_back(
         line_of("%-32s%s", "trial",
                 "clicks  Dice  worst mm    ml  true ml  corrected  clicks  Dice  lesions  drawn  unclicked  "
-                "seconds"));
+                "portal  hepatic  seconds"));
   }
 
   /// Ten clicks, and three corrections; then with a click on each lesion, and with a line across each
-  /// instead. False: cancelled.
+  /// instead; vessels on the labels of the ten clicks. False: cancelled.
   bool run(const Trial& trial, std::uint64_t seed, const RunContext& context) {
     insilico::LaypersonOptions hand;
     hand.seed = seed;
@@ -126,6 +127,8 @@ class Trials {
     }
     const auto unclicked = dice_unclicked(trial, truth, context.quiet());
     if (!unclicked) return false;
+    const auto trees = tree_dice(trial, truth, plain->labels, seed, context.quiet());
+    if (!trees) return false;
     const Bytes found = inside_liver(plain->labels);
     const double voxel_mm3 = trial.ct.grid.voxel_volume_mm3();
     const auto all = segmentation::agreement(found, truth, voxel_mm3);
@@ -138,7 +141,8 @@ class Trials {
             number("%9.0f", all.truth_ml) + number("%11.3f", *corrected) +
             number("%8.0f", static_cast<double>(clicks) + static_cast<double>(seeds.lesions.size())) +
             number("%6.3f", with_lesions) + median_column(9, lesions) + median_column(7, drawn) +
-            number("%11.3f", *unclicked) + number("%9.1f", seconds)));
+            number("%11.3f", *unclicked) + median_column(8, trees->portal) +
+            median_column(9, trees->hepatic) + number("%9.1f", seconds)));
     const auto add = [&](const std::string& what, const std::vector<double>& these) {
       std::vector<double>& to = found_[trial.kind + ("_dice_" + what)];
       to.insert(to.end(), these.begin(), these.end());
@@ -146,6 +150,8 @@ class Trials {
     add("liver", {all.dice});
     add("corrected_liver", {*corrected});
     add("unclicked_liver", {*unclicked});
+    add("portal_vein", trees->portal);
+    add("hepatic_veins", trees->hepatic);
     add("lesion", lesions);
     add("drawn_lesion", drawn);
     slowest_ = std::max(slowest_, seconds);
@@ -177,6 +183,39 @@ class Trials {
     const auto result = segment(trial, seeds, context);
     if (!result) return std::nullopt;
     return segmentation::dice(inside_liver(result->labels), truth);
+  }
+
+  /// Dice of both trees in the true liver; nothing where the truth has none, or where it is told that the
+  /// tree does not stand out.
+  struct TreeDice {
+    std::vector<double> portal, hepatic;
+  };
+  /// Grown from an operator's clicks on the labels of the ten clicks.
+  static Cancellable<TreeDice> tree_dice(const Trial& trial, const Bytes& liver, const LabelMap& labels,
+                                         std::uint64_t seed, const RunContext& context) {
+    TreeDice dice;
+    const std::vector<long> present = trial.truth.voxels.histogram();
+    if (present.size() <= structure::kHepaticVeins || present[structure::kPortalVein] == 0) return dice;
+    insilico::OperatorOptions hand;
+    hand.seed = seed;
+    segmentation::SegmentationOptions options;
+    options.structures = {false, true, true, true, false, false};
+    const auto found =
+        segmentation::segment(trial.ct, insilico::click_seeds(trial.truth, hand), options, context, &labels);
+    if (!found) return std::nullopt;
+    const std::vector<std::string>& notes = found->report.notes;
+    const auto measure = [&](Label tree, const char* faint, std::vector<double>& to) {
+      Bytes one = is(found->labels, tree), other = is(trial.truth, tree);
+      if (std::find(one.begin(), one.end(), 1) == one.end() &&
+          std::find(notes.begin(), notes.end(), faint) != notes.end())
+        return;
+      for (std::size_t i = 0; i < liver.size(); ++i)
+        if (liver[i] == 0) one[i] = other[i] = 0;
+      to.push_back(segmentation::dice(one, other));
+    };
+    measure(structure::kPortalVein, "portal_vein.faint", dice.portal);
+    measure(structure::kHepaticVeins, "hepatic_veins.faint", dice.hepatic);
+    return dice;
   }
 
   /// After three clicks, each where the labels are then most deeply wrong. Cancelled: empty.
