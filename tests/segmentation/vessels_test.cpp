@@ -6,9 +6,12 @@
 #include "glisson/core/error.h"
 #include "glisson/segmentation/segment.h"
 #include "min_cut.h"
+#include "phantom_field.h"
+#include "tree_split.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
+using namespace glisson::test;
 
 namespace {
 
@@ -191,6 +194,7 @@ class VesselsTest : public QObject {
   void DimVesselsLetNoNoiseIn();
   void VesselsThatHardlyEnhanceAreTold();
   void TheRimOfAKidneyIsNoVein();
+  void ATreeTapersFromItsRoot();
   void ATrunkIsClickedWhereItIsWidest();
   void ATreeThatIsNotSeenIsNotInvented();
   void AHeartThatShinesInIsNoVein();
@@ -328,6 +332,33 @@ void VesselsTest::TheRimOfAKidneyIsNoVein() {
   QVERIFY2(rim < 20, qPrintable(QString::number(rim)));
   const Counts hepatic = compare(p, labels).second;
   QVERIFY2(hepatic.dice() > 0.8, qPrintable(QString::number(hepatic.dice())));
+}
+
+void VesselsTest::ATreeTapersFromItsRoot() {
+  // A branch whose origin is narrower and dim, as in a fissure's fat, and a thin bright vessel of the other
+  // tree that ends in it: the thin one cannot feed it.
+  Field grid = field_of({80, 40, 40}, 1.0);
+  Mask candidates = grid.empty_mask();
+  std::vector<float> brightness(grid.values.size(), 0.0F);
+  const std::vector<std::pair<Tube, float>> tubes = {{{{6, 20, 20}, {24, 20, 20}, 5.0}, 1.0F},
+                                                     {{{24, 20, 20}, {34, 20, 20}, 3.0}, 0.6F},
+                                                     {{{34, 20, 20}, {72, 20, 20}, 4.0}, 1.0F},
+                                                     {{{60, 20, 20}, {60, 38, 36}, 1.3}, 1.1F}};
+  const auto voxel_at = [&](const Eigen::Vector3d& middle) {
+    return std::vector<std::size_t>{grid.offset(middle.cast<int>())};
+  };
+  for (const auto& [tube, bright] : tubes)
+    for (std::size_t at = 0; at < brightness.size(); ++at)
+      if (depth_in({tube}, grid.voxel_at(at).cast<double>()) > 0.0) {
+        candidates.voxels[at] = 1;
+        brightness[at] = std::max(brightness[at], bright);
+      }
+  const auto owner =
+      split_trees(grid, candidates, brightness, voxel_at({8, 20, 20}), voxel_at({60, 37, 35}), RunContext())
+          .value();
+  for (const int x : {10, 30, 40, 50, 70})
+    QVERIFY2(owner[grid.offset(Eigen::Vector3i(x, 20, 20))] == Owner::portal, qPrintable(QString::number(x)));
+  QVERIFY(owner[grid.offset(Eigen::Vector3i(60, 31, 30))] == Owner::hepatic);
 }
 
 void VesselsTest::ATrunkIsClickedWhereItIsWidest() {

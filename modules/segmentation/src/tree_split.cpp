@@ -5,12 +5,20 @@
 #include <cmath>
 #include <queue>
 
+#include "glisson/volume/morphology.h"
 #include "min_cut.h"
 
 namespace glisson::segmentation {
 namespace {
 
 constexpr float kLeaning = 0.01F;  // per voxel; 0.003 to 0.05 part the trees of the real patient alike
+/// Towards the tree that need not widen, per voxel and mm: a tree tapers from its root.
+constexpr float kTaper = 0.1F;
+constexpr float kUnsure = 1.5F;            // mm of widening that voxels of 1 mm do not tell
+constexpr float kMostWidening = 2.0F;      // mm beyond that, which count
+constexpr float kWideningIsLong = 100.0F;  // mm of way that a mm of widening is worth
+constexpr float kRagged = 10.0F;  // mm from a root, where it may widen: a click's place, a cava's wall
+constexpr float kSurface = 1.5F;  // mm around an opening that belong to it
 constexpr float kDimmest = 0.02F, kBrightest = 1.2F;
 constexpr float kDimIsLong = 3.0F;   // a mm in the dark is as long as 1 + so many in the light
 constexpr double kRootRadius = 3.0;  // mm around a root that are its tree's
@@ -45,34 +53,82 @@ Eigen::Vector3i place_of(const Field& grid, std::size_t at) {
   return {static_cast<int>(at % nx), static_cast<int>((at % slice) / nx), static_cast<int>(at / slice)};
 }
 
-/// Length of the shortest way from the roots through the candidates; dim stretches count for more.
-std::vector<float> way_from(const Field& grid, const Mask& candidates, const std::vector<float>& brightness,
-                            const std::vector<std::size_t>& roots) {
+/// The least costs from the roots through the candidates (Dijkstra). `next(from, to, length, cost)` is the
+/// cost at `to`, `take(from, to, cost)` is told when that is the least so far.
+template <class Next, class Take>
+std::vector<float> least_costs(const Field& grid, const Mask& candidates,
+                               const std::vector<std::size_t>& roots, const Next& next, const Take& take) {
   const std::array<Step, 26> steps = steps_of(grid);
-  std::vector<float> way(candidates.voxels.size(), kFar);
+  std::vector<float> costs(candidates.voxels.size(), kFar);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (const std::size_t root : roots) {
-    way[root] = 0.0F;
+    costs[root] = 0.0F;
     queue.push({0.0F, root});
   }
   while (!queue.empty()) {
     const Entry entry = queue.top();
     queue.pop();
-    if (entry.cost > way[entry.at]) continue;
+    if (entry.cost > costs[entry.at]) continue;
     const Eigen::Vector3i v = place_of(grid, entry.at);
     for (const Step& step : steps) {
       const Eigen::Vector3i w = v + step.by;
       if (!grid.contains(w)) continue;
       const std::size_t other = grid.offset(w);
       if (candidates.voxels[other] == 0) continue;
-      const float dark = 1.0F - std::clamp(brightness[other], 0.0F, 1.0F);
-      const float next = entry.cost + step.length * (1.0F + kDimIsLong * dark * dark);
-      if (next >= way[other]) continue;
-      way[other] = next;
-      queue.push({next, other});
+      const float cost = next(entry.at, other, step.length, entry.cost);
+      if (cost >= costs[other]) continue;
+      costs[other] = cost;
+      take(entry.at, other, entry.cost);
+      queue.push({cost, other});
     }
   }
-  return way;
+  return costs;
+}
+
+/// Length of the shortest way from the roots through the candidates; dim stretches count for more.
+std::vector<float> way_from(const Field& grid, const Mask& candidates, const std::vector<float>& brightness,
+                            const std::vector<std::size_t>& roots) {
+  return least_costs(
+      grid, candidates, roots,
+      [&](std::size_t, std::size_t to, float length, float cost) {
+        const float dark = 1.0F - std::clamp(brightness[to], 0.0F, 1.0F);
+        return cost + length * (1.0F + kDimIsLong * dark * dark);
+      },
+      [](std::size_t, std::size_t, float) {});
+}
+
+/// Of the vessel around each voxel, mm: of the largest ball in it that reaches there or nearly so, for on a
+/// vessel's surface only small ones do.
+std::vector<float> radius_of(const Mask& candidates) {
+  constexpr std::array<double, 10> kRadii = {1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0};
+  std::vector<float> radius(candidates.voxels.size(), 0.5F);
+  for (const double r : kRadii) {
+    const Mask around = dilated(eroded(candidates, r), r + kSurface);
+    if (around.count() == 0) break;
+    for (std::size_t i = 0; i < radius.size(); ++i)
+      if (around.voxels[i] != 0) radius[i] = static_cast<float>(r);
+  }
+  return radius;
+}
+
+/// By how much a way from the roots gets wider again than it has been, mm, at each voxel: of the ways with
+/// the least of it. 0 where none leads.
+std::vector<float> widening_from(const Field& grid, const Mask& candidates, const std::vector<float>& radius,
+                                 const std::vector<std::size_t>& roots) {
+  std::vector<float> narrowest(radius.size(), kFar), widening(radius.size(), 0.0F);
+  const auto widened = [&](std::size_t from, std::size_t to) {
+    return std::max(widening[from], radius[to] - narrowest[from]);
+  };
+  least_costs(
+      grid, candidates, roots,
+      [&](std::size_t from, std::size_t to, float length, float cost) {
+        return cost + length + kWideningIsLong * (widened(from, to) - widening[from]);
+      },
+      [&](std::size_t from, std::size_t to, float cost) {
+        widening[to] = widened(from, to);
+        narrowest[to] = cost < kRagged ? kFar : std::min(narrowest[from], radius[to]);
+      });
+  return widening;
 }
 
 /// The candidates that both roots reach, numbered.
@@ -138,11 +194,17 @@ Cancellable<std::vector<Owner>> split_trees(const Field& grid, const Mask& candi
       owner[i] = a ? Owner::portal : Owner::hepatic;
     }
   }
+  if (context.cancelled()) return std::nullopt;
+  const std::vector<float> radius = radius_of(candidates),
+                           from_portal = widening_from(grid, candidates, radius, portal),
+                           from_hepatic = widening_from(grid, candidates, radius, hepatic);
   MinCut cut(shared.at.size());
   join_neighbours(grid, shared, brightness, cut);
   for (std::size_t node = 0; node < shared.at.size(); ++node) {
-    const float p = to_portal[shared.at[node]], h = to_hepatic[shared.at[node]];
-    cut.lean(node, kLeaning * (h - p) / (h + p + 1.0F));
+    const std::size_t at = shared.at[node];
+    const float p = to_portal[at], h = to_hepatic[at], wider = from_hepatic[at] - from_portal[at];
+    const float sure = std::clamp(std::abs(wider) - kUnsure, 0.0F, kMostWidening);
+    cut.lean(node, kLeaning * (h - p) / (h + p + 1.0F) + kTaper * std::copysign(sure, wider));
   }
   bind_roots(grid, shared, hepatic, -1.0F, cut);
   bind_roots(grid, shared, portal, 1.0F, cut);
