@@ -197,6 +197,7 @@ class VesselsTest : public QObject {
   void ATreeTapersFromItsRoot();
   void ATrunkIsClickedWhereItIsWidest();
   void ATreeThatIsNotSeenIsNotInvented();
+  void ATreeTwiceAsBrightIsFound();
   void AHeartThatShinesInIsNoVein();
 };
 
@@ -386,6 +387,20 @@ void VesselsTest::ATreeThatIsNotSeenIsNotInvented() {
   QVERIFY(!tells(found, "portal_vein.faint"));
   QCOMPARE(hepatic.right + hepatic.extra, 0L);
   QVERIFY2(portal.dice() > 0.8, qPrintable(QString::number(portal.dice())));
+}
+
+void VesselsTest::ATreeTwiceAsBrightIsFound() {
+  // The contrast is that of most clicks; nothing as bright as one of them is too bright for a vein.
+  Phantom::Setting setting;
+  setting.liver_from = 38.0;
+  setting.hepatic_hu = 150.0;
+  const Phantom p(1, setting);
+  Seeds seeds = p.roots();
+  seeds.portal_vein = p.at({{54, 48, 8}});
+  seeds.hepatic_veins = p.at({{55, 30, 84}, {54, 30, 76}, {70, 30, 56}});
+  const auto [portal, hepatic] = compare(p, p.found(seeds, p.liver).labels);
+  qInfo("portal %ld right, %ld missed; hepatic %ld right", portal.right, portal.missed, hepatic.right);
+  QVERIFY(portal.right > 1000 && portal.right > 20 * portal.missed && hepatic.right > 1000);
 }
 
 void VesselsTest::AHeartThatShinesInIsNoVein() {

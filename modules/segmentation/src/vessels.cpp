@@ -101,10 +101,12 @@ void remove_thick(const Mask& bright, Mask& candidates) {
 /// Removes the rims of what is brighter than the clicked vessels (cortex of a kidney, heart, rib, aorta):
 /// blurred, a rim is as bright as a vein. Thin arteries have none that matters, and of the liver's own
 /// vessels one tree may be much the brighter.
-void remove_rims(const Mask& liver, const std::vector<float>& brightness, Mask& candidates) {
+void remove_rims(const Mask& liver, const std::vector<float>& brightness, double brightest,
+                 Mask& candidates) {
   Mask body(candidates.size, candidates.spacing_mm);
   for (std::size_t i = 0; i < body.voxels.size(); ++i)
-    body.voxels[i] = brightness[i] >= static_cast<float>(liver.voxels[i] == 0 ? kTooBright : kBodyInside);
+    body.voxels[i] =
+        brightness[i] >= static_cast<float>(brightest * (liver.voxels[i] == 0 ? kTooBright : kBodyInside));
   const Mask rim = dilated(opened(body, 1.0), kBodyRim);
   for (std::size_t i = 0; i < rim.voxels.size(); ++i)
     if (rim.voxels[i] != 0) candidates.voxels[i] = 0;
@@ -250,6 +252,10 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
   std::vector<Eigen::Vector3i> all = seeds.portal;
   all.insert(all.end(), seeds.hepatic.begin(), seeds.hepatic.end());
   const double contrast = std::max(brighter_by(ct, all, parenchyma), 3.0 * parenchyma.sigma);
+  // A click beside a vessel lowers the contrast; nothing as bright as another click is too bright for it.
+  double brightest = 1.0;
+  for (const Eigen::Vector3i& click : all)
+    brightest = std::max(brightest, brighter_by(ct, {click}, parenchyma) / contrast);
   const double noise = parenchyma.sigma / contrast;
   const double least_bright = std::max(kBright, kNoiseBright * noise);
   const double least_dim = std::max(kDim, kNoiseDim * noise);
@@ -269,10 +275,10 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
     const bool in = liver.voxels[i] != 0;
     const double above = bright - static_cast<double>(broad[i]);
     candidates.voxels[i] = in ? (above > least_bright || (above > least_dim && tube > least_tubular))
-                              : (bright > kBrightOutside && bright < kTooBright);
+                              : (bright > kBrightOutside && bright < brightest * kTooBright);
   }
   remove_thick(everything_bright, candidates);
-  remove_rims(liver, brightness, candidates);
+  remove_rims(liver, brightness, brightest, candidates);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.7, "segmentation.trees");
 
