@@ -252,10 +252,10 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
   std::vector<Eigen::Vector3i> all = seeds.portal;
   all.insert(all.end(), seeds.hepatic.begin(), seeds.hepatic.end());
   const double contrast = std::max(brighter_by(ct, all, parenchyma), 3.0 * parenchyma.sigma);
-  // A click beside a vessel lowers the contrast; nothing as bright as another click is too bright for it.
+  // Nothing as bright as the clicks of one tree is too bright for it, though the other's are fainter.
   double brightest = 1.0;
-  for (const Eigen::Vector3i& click : all)
-    brightest = std::max(brightest, brighter_by(ct, {click}, parenchyma) / contrast);
+  for (const auto* clicks : {&seeds.portal, &seeds.hepatic})
+    if (!clicks->empty()) brightest = std::max(brightest, brighter_by(ct, *clicks, parenchyma) / contrast);
   const double noise = parenchyma.sigma / contrast;
   const double least_bright = std::max(kBright, kNoiseBright * noise);
   const double least_dim = std::max(kDim, kNoiseDim * noise);
