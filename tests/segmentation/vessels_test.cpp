@@ -105,6 +105,13 @@ struct Phantom {
     seeds.hepatic_veins = at({{55, 30, 84}});
     return seeds;
   }
+  /// The portal trunk 30 mm before a liver from 38 mm on, and the hepatic veins in three places.
+  Seeds trunk_and_branches() const {
+    Seeds seeds;
+    seeds.portal_vein = at({{54, 48, 8}});
+    seeds.hepatic_veins = at({{55, 30, 84}, {54, 30, 76}, {70, 30, 56}});
+    return seeds;
+  }
   Segmented found(const Seeds& seeds, const LabelMap& kept, bool with_hepatic = true) const {
     SegmentationOptions options;
     options.structures = {false, true, with_hepatic, false, false, false};
@@ -366,9 +373,7 @@ void VesselsTest::ATrunkIsClickedWhereItIsWidest() {
   Phantom::Setting setting;
   setting.liver_from = 38.0;
   const Phantom p(1, setting);
-  Seeds seeds = p.roots();
-  seeds.portal_vein = p.at({{54, 48, 8}});  // 30 mm before the liver
-  const Counts portal = compare(p, p.found(seeds, p.liver).labels).first;
+  const Counts portal = compare(p, p.found(p.trunk_and_branches(), p.liver).labels).first;
   qInfo("portal %ld right, %ld missed, %ld far", portal.right, portal.missed, portal.far);
   QVERIFY(portal.right > 1000 && portal.right > 20 * portal.missed && portal.far < 20);
 }
@@ -379,9 +384,7 @@ void VesselsTest::ATreeThatIsNotSeenIsNotInvented() {
   setting.portal_hu = 190.0;
   setting.hepatic_hu = 114.0;
   const Phantom p(1, setting);
-  Seeds seeds = p.roots();
-  seeds.hepatic_veins = p.at({{55, 30, 84}, {54, 30, 76}, {70, 30, 56}});
-  const Segmented found = p.found(seeds, p.liver);
+  const Segmented found = p.found(p.trunk_and_branches(), p.liver);
   const auto [portal, hepatic] = compare(p, found.labels);
   QVERIFY(tells(found, "hepatic_veins.faint") && tells(found, "hepatic_veins.not_found"));
   QVERIFY(!tells(found, "portal_vein.faint"));
@@ -390,15 +393,12 @@ void VesselsTest::ATreeThatIsNotSeenIsNotInvented() {
 }
 
 void VesselsTest::ATreeTwiceAsBrightIsFound() {
-  // The contrast is that of most clicks; nothing as bright as one of them is too bright for a vein.
+  // The contrast is that of most clicks; nothing as bright as those of one tree is too bright for it.
   Phantom::Setting setting;
   setting.liver_from = 38.0;
   setting.hepatic_hu = 150.0;
   const Phantom p(1, setting);
-  Seeds seeds = p.roots();
-  seeds.portal_vein = p.at({{54, 48, 8}});
-  seeds.hepatic_veins = p.at({{55, 30, 84}, {54, 30, 76}, {70, 30, 56}});
-  const auto [portal, hepatic] = compare(p, p.found(seeds, p.liver).labels);
+  const auto [portal, hepatic] = compare(p, p.found(p.trunk_and_branches(), p.liver).labels);
   qInfo("portal %ld right, %ld missed; hepatic %ld right", portal.right, portal.missed, hepatic.right);
   QVERIFY(portal.right > 1000 && portal.right > 20 * portal.missed && hepatic.right > 1000);
 }
