@@ -6875,12 +6875,20 @@
         <translation>%1 kommt der Leberoberfläche auf weniger als %2 mm nahe, wo das CT ihren Rand nicht zeigt: Ob Leber sie bedeckt, ist nicht bekannt. Prüfen Sie sie in den Schichten.</translation>
     </message>
     <message>
-        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
-        <translation>Die Pfortader ist dort, wo sie angeklickt wurde, kaum heller als die Leber: In dieser Phase lässt sie sich nicht von ihr unterscheiden, und das meiste von ihr fehlt. Nehmen Sie die portalvenöse Phase.</translation>
+        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most or all of it is missing. Take the portal venous phase.</source>
+        <translation>Die Pfortader ist dort, wo sie angeklickt wurde, kaum heller als die Leber: In dieser Phase lässt sie sich nicht von ihr unterscheiden, und das meiste oder alles von ihr fehlt. Nehmen Sie die portalvenöse Phase.</translation>
     </message>
     <message>
-        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
-        <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
+        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most or all of them are missing. Take the portal venous phase.</source>
+        <translation>Die Lebervenen sind dort, wo sie angeklickt wurden, kaum heller als die Leber: In dieser Phase lassen sie sich nicht von ihr unterscheiden, und das meiste oder alles von ihnen fehlt. Nehmen Sie die portalvenöse Phase.</translation>
+    </message>
+    <message>
+        <source>Portal vein seed %1 had no effect: no branch of it was found within 5 mm. Click in the middle of the vein, or take the seed away.</source>
+        <translation>Der Saatpunkt %1 der Pfortader hatte keine Wirkung: Im Umkreis von 5 mm wurde kein Ast von ihr gefunden. In die Mitte der Vene klicken oder den Saatpunkt entfernen.</translation>
+    </message>
+    <message>
+        <source>Hepatic vein seed %1 had no effect: no branch of them was found within 5 mm. Click in the middle of a vein, or take the seed away.</source>
+        <translation>Der Saatpunkt %1 der Lebervenen hatte keine Wirkung: Im Umkreis von 5 mm wurde kein Ast von ihnen gefunden. In die Mitte einer Vene klicken oder den Saatpunkt entfernen.</translation>
     </message>
     <message>
         <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>

@@ -6875,12 +6875,20 @@
         <translation>%1 arrive à moins de %2 mm de la surface du foie, là où le scanner ne montre pas son bord : on ne sait pas si du foie la recouvre. Vérifiez-la dans les coupes.</translation>
     </message>
     <message>
-        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most of it is missing. Take the portal venous phase.</source>
-        <translation>La veine porte est à peine plus claire que le foie là où elle a été cliquée : à cette phase, on ne peut l’en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
+        <source>The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot be told from it, and most or all of it is missing. Take the portal venous phase.</source>
+        <translation>La veine porte est à peine plus claire que le foie là où elle a été cliquée : à cette phase, on ne peut l’en distinguer, et elle manque en grande partie ou entièrement. Prenez la phase portale.</translation>
     </message>
     <message>
-        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most of them are missing. Take the portal venous phase.</source>
-        <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et la plus grande partie manque. Prenez la phase portale.</translation>
+        <source>The hepatic veins are hardly brighter than the liver where they were clicked: in this phase they cannot be told from it, and most or all of them are missing. Take the portal venous phase.</source>
+        <translation>Les veines hépatiques sont à peine plus claires que le foie là où elles ont été cliquées : à cette phase, on ne peut les en distinguer, et elles manquent en grande partie ou entièrement. Prenez la phase portale.</translation>
+    </message>
+    <message>
+        <source>Portal vein seed %1 had no effect: no branch of it was found within 5 mm. Click in the middle of the vein, or take the seed away.</source>
+        <translation>Le germe %1 de la veine porte n’a eu aucun effet : aucune de ses branches n’a été trouvée à moins de 5 mm. Cliquez au milieu de la veine, ou retirez le germe.</translation>
+    </message>
+    <message>
+        <source>Hepatic vein seed %1 had no effect: no branch of them was found within 5 mm. Click in the middle of a vein, or take the seed away.</source>
+        <translation>Le germe %1 des veines hépatiques n’a eu aucun effet : aucune de leurs branches n’a été trouvée à moins de 5 mm. Cliquez au milieu d’une veine, ou retirez le germe.</translation>
     </message>
     <message>
         <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>

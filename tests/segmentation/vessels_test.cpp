@@ -206,6 +206,7 @@ class VesselsTest : public QObject {
   void ATreeThatIsNotSeenIsNotInvented();
   void ATreeTwiceAsBrightIsFound();
   void AHeartThatShinesInIsNoVein();
+  void AClickBesideEveryBranchIsTold();
 };
 
 void VesselsTest::CutIsAsCheapAsTheCheapestOfAll() {
@@ -411,6 +412,21 @@ void VesselsTest::AHeartThatShinesInIsNoVein() {
   const Counts hepatic = compare(p, p.found(p.roots(), p.liver).labels).second;
   qInfo("%ld right, %ld far", hepatic.right, hepatic.far);
   QVERIFY(hepatic.right > 1000 && hepatic.far < 20);
+}
+
+void VesselsTest::AClickBesideEveryBranchIsTold() {
+  const Phantom p(1);
+  Seeds seeds = p.roots();
+  seeds.portal_vein = p.at({{54, 49, 14}, {20, 15, 80}, {54, 52, 30}});  // the second one in parenchyma
+  const Segmented found = p.found(seeds, p.liver);
+  QVERIFY(tells(found, "portal_vein.click_without_effect 2"));
+  const auto of_clicks = [](const std::vector<std::string>& notes) {
+    return std::count_if(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("click_without_effect") != std::string::npos;
+    });
+  };
+  QCOMPARE(of_clicks(found.report.notes), 1);
+  QCOMPARE(of_clicks(p.found(p.roots(), p.liver).report.notes), 0);
 }
 
 QTEST_APPLESS_MAIN(VesselsTest)

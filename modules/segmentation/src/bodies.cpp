@@ -353,6 +353,10 @@ bool is_anew(const Structures& anew, const Seeds& seeds, Label label) {
   return lesion < seeds.lesions.size() && seeds.lesions[lesion].rows() > 0;
 }
 
+bool is_found(const GrownLesion& lesion) {
+  return !lesion.phi.values.empty() && negative_of(lesion.phi).count() > 0;
+}
+
 void unite(Mask& mask, const Mask& more) {
   for (std::size_t i = 0; i < mask.voxels.size(); ++i)
     mask.voxels[i] = mask.voxels[i] != 0 || more.voxels[i] != 0;

@@ -36,6 +36,9 @@ struct Bodies {
                                      ///< list is empty or nothing was found
 };
 
+/// Whether anything was found of a lesion.
+bool is_found(const GrownLesion& lesion);
+
 /// @param anew what is found; the rest is taken from `kept`, which may be null when all is found.
 /// @throws InputError clicks that lie in no liver tissue; a kept liver that is not there; a contour too fine
 ///   for its size.

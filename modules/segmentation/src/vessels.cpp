@@ -159,14 +159,13 @@ double usual_tubeness(const Field& ct, const Mask& liver, const Tissue& parenchy
   return usual.empty() ? 0.0 : static_cast<double>(lower_percentile(std::move(usual), kUsual));
 }
 
-/// The nearest candidate to each click, within a few mm: clicks are not exact.
+/// The nearest candidate to each click.
 std::vector<std::size_t> snapped(const Field& ct, const Mask& candidates,
                                  const std::vector<Eigen::Vector3i>& clicks) {
-  constexpr double kReach = 5.0;  // mm
-  const int reach = static_cast<int>(std::ceil(kReach / ct.spacing_mm.minCoeff()));
+  const int reach = static_cast<int>(std::ceil(kBesideVessel / ct.spacing_mm.minCoeff()));
   std::vector<std::size_t> places;
   for (const Eigen::Vector3i& click : clicks) {
-    double best = kReach;
+    double best = kBesideVessel;
     std::ptrdiff_t place = -1;
     for (int k = -reach; k <= reach; ++k)
       for (int j = -reach; j <= reach; ++j)

@@ -9,6 +9,8 @@ namespace glisson::segmentation {
 
 /// mm before the liver that a click on a trunk is followed from.
 constexpr double kFarthestClick = 60.0;
+/// mm from a click to the vessel that it means: clicks are not exact.
+constexpr double kBesideVessel = 5.0;
 
 struct VesselSeeds {
   std::vector<Eigen::Vector3i> portal, hepatic;  ///< voxels of the field

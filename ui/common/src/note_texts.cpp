@@ -54,11 +54,17 @@ class Notes {
         {"portal_vein.not_found", tr("No portal vein was found at its seeds: what there was stays.")},
         {"portal_vein.faint",
          tr("The portal vein is hardly brighter than the liver where it was clicked: in this phase it cannot "
-            "be told from it, and most of it is missing. Take the portal venous phase.")},
+            "be told from it, and most or all of it is missing. Take the portal venous phase.")},
         {"hepatic_veins.faint",
          tr("The hepatic veins are hardly brighter than the liver where they were clicked: in this phase "
-            "they "
-            "cannot be told from it, and most of them are missing. Take the portal venous phase.")},
+            "they cannot be told from it, and most or all of them are missing. Take the portal venous "
+            "phase.")},
+        {"portal_vein.click_without_effect",
+         tr("Portal vein seed %1 had no effect: no branch of it was found within 5 mm. Click in the middle "
+            "of the vein, or take the seed away.")},
+        {"hepatic_veins.click_without_effect",
+         tr("Hepatic vein seed %1 had no effect: no branch of them was found within 5 mm. Click in the "
+            "middle of a vein, or take the seed away.")},
         {"hepatic_veins.hold_cava",
          tr("%1 ml of the hepatic veins lie outside of the liver: they have grown on into the vena cava. "
             "Click the vena cava, too, and segment again.")},
