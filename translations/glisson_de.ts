@@ -6599,6 +6599,10 @@
         <translation>Das Organ liegt voraussichtlich im Mittel um %1 mm falsch (Grenze %2 mm).</translation>
     </message>
     <message>
+        <source>%1 is expected to be off by %2 mm on average (limit %3 mm).</source>
+        <translation>%1 liegt voraussichtlich im Mittel um %2 mm falsch (Grenze %3 mm).</translation>
+    </message>
+    <message>
         <source>%1 % of the points face another way than the model there (limit %2 %).</source>
         <translation>%1 % der Punkte zeigen in eine andere Richtung als dort das Modell (Grenze %2 %).</translation>
     </message>

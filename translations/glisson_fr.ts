@@ -6599,6 +6599,10 @@
         <translation>L&apos;organe est sans doute décalé de %1 mm en moyenne (limite : %2 mm).</translation>
     </message>
     <message>
+        <source>%1 is expected to be off by %2 mm on average (limit %3 mm).</source>
+        <translation>%1 : décalage attendu de %2 mm en moyenne (limite : %3 mm).</translation>
+    </message>
+    <message>
         <source>%1 % of the points face another way than the model there (limit %2 %).</source>
         <translation>%1 % des points sont tournés autrement que le modèle à cet endroit (limite : %2 %).</translation>
     </message>

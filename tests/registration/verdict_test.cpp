@@ -43,6 +43,18 @@ class VerdictTest : public QObject {
     QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large inf 8"});
   }
 
+  void ALesionMayBeLessKnownThanTheOrgan() {
+    Findings findings = sound();
+    findings.lesions = {{"lesion_1", 5e-3}, {"lesion_2", 9.5e-3}};
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"lesion_2.error_large 9.5 8"});
+    QVERIFY(!judge(findings).refused);
+    findings.lesions.back().expected = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"lesion_2.error_large inf 8"});
+    // Where the whole organ is told, its lesions are not told once more.
+    findings.expected = 9e-3;
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large 9 8"});
+  }
+
   void EachFindingHasItsDoubt_data() {
     QTest::addColumn<QString>("code");
     QTest::addColumn<int>("finding");

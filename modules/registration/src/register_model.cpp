@@ -10,6 +10,7 @@
 
 #include "examine.h"
 #include "glisson/core/error.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/forks.h"
 #include "glisson/registration/moving_surface.h"
@@ -373,12 +374,15 @@ class Run {
     if (context_.cancelled()) return false;
     bound_lesions_ = bound_lesions(model_);
     examined_.lesions = lesions_of(model_.mesh, bound_lesions_, *examined_.error, registration_);
+    if (has_own_errors()) take_own_errors();
     auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error,
                              options_.start != Start::none},
                             context_.quiet());
     if (!findings) return false;
     examined_.findings = *findings;
     examined_.findings.elsewhere = elsewhere(registration_.nodes_in_camera, rivals);
+    for (const LesionError& lesion : examined_.lesions)
+      examined_.findings.lesions.push_back({structure_name(lesion.lesion), lesion.expected});
     if (is_sought() && shapes_) {
       const auto cost = control_.cost(model_, cloud_, options_, elastic_, up_to(1.0));
       if (!cost) return false;
@@ -399,20 +403,28 @@ class Run {
     return true;
   }
 
+  /// Where supports are known and forces were found, their own posterior is the nearer one. It takes the
+  /// pose for known.
+  bool has_own_errors() { return result().forces && !elastic_.prior && knows_pose(); }
+
+  void take_own_errors() {
+    registration_.expected = result().forces->expected_error;
+    registration_.covariances = examined_.error->node_covariances();
+    if (registration_.expected.size() == registration_.covariances.rows()) {
+      sized_as(registration_.expected, registration_.covariances);
+      size_lesions(model_.mesh, bound_lesions_, registration_.expected, examined_.lesions);
+    } else {
+      registration_.covariances.resize(0, 6);  // not known, as the expected errors
+      examined_.lesions.clear();
+    }
+  }
+
   /// What travels with the registration of where it may be wrong.
   void tell_of_places(std::vector<RegistrationRival> rivals) {
     const std::optional<ContactForceFit>& forces = result().forces;
-    // Where supports are known and forces were found, their own posterior is the nearer one. It takes the
-    // pose for known.
-    const bool has_own = forces && !elastic_.prior && knows_pose();
-    registration_.expected = has_own ? forces->expected_error : examined_.error->expected();
-    registration_.covariances = examined_.error->node_covariances();
-    if (has_own && forces->expected_error.size() == registration_.covariances.rows()) {
-      sized_as(forces->expected_error, registration_.covariances);
-      size_lesions(model_.mesh, bound_lesions_, forces->expected_error, examined_.lesions);
-    } else if (has_own) {
-      registration_.covariances.resize(0, 6);  // not known, as the expected errors
-      examined_.lesions.clear();
+    if (!has_own_errors()) {
+      registration_.expected = examined_.error->expected();
+      registration_.covariances = examined_.error->node_covariances();
     }
     for (const LesionError& lesion : examined_.lesions)
       registration_.lesions.push_back({lesion.lesion, lesion.covariance});

@@ -16,7 +16,7 @@ constexpr double kUsualNoise = 1.2e-3;
 /// Logarithm of the odds against the mirror image. Above kSureOdds is sure: the points' errors depend on each
 /// other, and poses that were 20 mm off and more still reached 5.6.
 constexpr double kSureOdds = 10.0, kEvenOdds = 0.0;
-constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes
+constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes, or of a lesion
 constexpr double kTurned = 0.15;        ///< share of the points
 constexpr double kMarginOff = 8e-3;     ///< m
 /// Probability that the organ is more than 20 mm off, or that it changed between looks. From one in a hundred
@@ -30,10 +30,10 @@ constexpr double kModelsSize = 5e-3;
 constexpr double kOtherSize = 2.33, kSurelyOtherSize = 4.0;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-std::string told(const char* code, double found, double limit) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%s %.3g %.3g", code, found, limit);
-  return text;
+std::string told(const std::string& code, double found, double limit) {
+  char values[48];
+  std::snprintf(values, sizeof values, " %.3g %.3g", found, limit);
+  return code + values;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ double strangest(double modes) {
 
 Verdict judge(const Findings& found) {
   Verdict verdict;
-  const auto weigh = [&](const char* code, double value, double doubt, double refuse, double unit) {
+  const auto weigh = [&](const std::string& code, double value, double doubt, double refuse, double unit) {
     if (!(value > doubt)) return;  // not a number: was not asked
     const bool refuses = value > refuse;
     verdict.doubts.push_back(told(code, unit * value, unit * (refuses ? refuse : doubt)));
@@ -54,8 +54,12 @@ Verdict judge(const Findings& found) {
   };
   weigh("cloud_noisy", found.roughness, 3.0 * kUsualNoise, 5.0 * kUsualNoise, 1e3);
   // It is always asked: what is no number then is not small.
-  weigh("expected_error_large", std::isnan(found.expected) ? kNever : found.expected, kMuchExpected, kNever,
-        1e3);
+  const auto expected_of = [](double error) { return std::isnan(error) ? kNever : error; };
+  weigh("expected_error_large", expected_of(found.expected), kMuchExpected, kNever, 1e3);
+  // The organ may be well known on the whole, and a lesion far from all that is seen not.
+  if (!(expected_of(found.expected) > kMuchExpected))
+    for (const Findings::Lesion& lesion : found.lesions)
+      weigh(lesion.name + ".error_large", expected_of(lesion.expected), kMuchExpected, kNever, 1e3);
   weigh("elsewhere_probable", found.elsewhere, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("looks_differ", found.looks_differ, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, -kEvenOdds, -1.0);

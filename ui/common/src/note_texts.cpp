@@ -364,6 +364,7 @@ class Notes {
         {".perhaps_vein",
          tr("%1 is brighter than the liver, and a vein goes on at %2 % of its surface: it may be a "
             "piece of that vein. Check it in the slices.")},
+        {".error_large", tr("%1 is expected to be off by %2 mm on average (limit %3 mm).")},
         {".as_drawn", tr("%1: no border was found where its diameter was drawn. It is a ball of that "
                          "diameter: check it "
                          "in the slices.")},
@@ -420,7 +421,9 @@ QString note_text(std::string_view note) {
       if (const QString structure = structure_named(code.chopped(ending.size())); !structure.isEmpty()) {
         QString text = sentence;
         text.replace(QLatin1String("%1"), structure);
-        return tokens.size() > 1 ? text.replace(QLatin1String("%2"), value_text(tokens[1])) : text;
+        for (qsizetype i = 1; i < tokens.size(); ++i)
+          text.replace(QStringLiteral("%%1").arg(i + 1), value_text(tokens[i]));
+        return text;
       }
   QString text = readable_code(code.toStdString());
   for (qsizetype i = 1; i < tokens.size(); ++i) text += QLatin1Char(' ') + value_text(tokens[i]);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <vector>
 
 /// @file
 /// What speaks for and against a registration. The points agree with the model because they moved it; so each
@@ -43,6 +45,11 @@ struct Findings {
   /// How much larger than the model the organ would have to be, a share, and its standard deviation.
   double size = 0.0, size_sigma = std::numeric_limits<double>::infinity();
   double expected = 0.0;  ///< mean expected error of the nodes
+  struct Lesion {
+    std::string name;  ///< structure_name()
+    double expected = 0.0;
+  };
+  std::vector<Lesion> lesions;  ///< mean expected error of each
 };
 
 }  // namespace glisson::registration
