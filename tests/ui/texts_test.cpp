@@ -45,6 +45,8 @@ void TextsTest::NotesAreSentencesWithTheirValues() {
 void TextsTest::NumbersAreWrittenForPeople() {
   QVERIFY(ui::note_text("vessels.branches_pruned 227 mm 4.15e+03").contains(QStringLiteral("4150 mm")));
   QVERIFY(ui::note_text("mesh.sliver_deg 8.250000").contains(QStringLiteral("8.25\u00b0")));
+  QCOMPARE(ui::note_text("lesion_2.error_large 9.46 8"),
+           QStringLiteral("Lesion 2 is expected to be off by 9.5 mm on average (limit 8 mm)."));
 }
 
 void TextsTest::StructuresInNotesHaveTheirNames() {

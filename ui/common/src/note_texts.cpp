@@ -404,6 +404,10 @@ QString note_text(std::string_view note) {
   const QStringList tokens = QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size()))
                                  .split(QRegularExpression(QStringLiteral("[ :]")));
   const QString& code = tokens.front();
+  // An expectation is no measurement.
+  const bool is_expected =
+      code.startsWith(QLatin1String("look.")) || code.endsWith(QLatin1String("error_large"));
+  const int decimals = is_expected ? 1 : 2;
   const auto sentences = Notes::sentences();
   if (const auto known = sentences.find(code); known != sentences.end()) {
     QString text = *known;
@@ -411,7 +415,6 @@ QString note_text(std::string_view note) {
       return text.replace(
           QLatin1String("%*"),
           QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size())).mid(code.size() + 1));
-    const int decimals = code.startsWith(QLatin1String("look.")) ? 1 : 2;  // an expectation is no measurement
     for (qsizetype i = 1; i < tokens.size(); ++i)
       text.replace(QStringLiteral("%%1").arg(i), value_text(tokens[i], decimals));
     return text;
@@ -422,7 +425,7 @@ QString note_text(std::string_view note) {
         QString text = sentence;
         text.replace(QLatin1String("%1"), structure);
         for (qsizetype i = 1; i < tokens.size(); ++i)
-          text.replace(QStringLiteral("%%1").arg(i + 1), value_text(tokens[i]));
+          text.replace(QStringLiteral("%%1").arg(i + 1), value_text(tokens[i], decimals));
         return text;
       }
   QString text = readable_code(code.toStdString());
