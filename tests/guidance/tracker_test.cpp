@@ -255,10 +255,16 @@ void TrackerTest::NoisePicturesAreNotValid() {
 }
 
 void TrackerTest::ADoubtOfTheStartStaysWithEveryFrame() {
-  Registration doubted = start_;
-  doubted.doubts = {"little_surface_seen"};
-  for (const bool doubtful : {false, true}) {
-    Tracker tracker(model_, doubtful ? doubted : start_, options());
+  // A lesion's own doubt is told at the lesion.
+  const std::vector<std::pair<std::vector<std::string>, bool>> starts = {
+      {{}, false},
+      {{"lesion_1.error_large 9.5 8"}, false},
+      {{"expected_error_large 9 8"}, true},
+      {{"lesion_1.error_large 9.5 8", "little_surface_seen"}, true}};
+  for (const auto& [doubts, doubtful] : starts) {
+    Registration start = start_;
+    start.doubts = doubts;
+    Tracker tracker(model_, start, options());
     tracker.begin(rig_, film_[0], {});
     for (int k = 1; k < 3; ++k)
       QCOMPARE(tracker.follow(film_[static_cast<std::size_t>(k)]).doubtful, doubtful);

@@ -14,6 +14,7 @@
 #include "frame_clock.h"
 #include "glisson/core/error.h"
 #include "glisson/registration/moving_surface.h"
+#include "glisson/registration/refusal.h"
 #include "hand_corrections.h"
 #include "held_out.h"
 #include "judge.h"
@@ -55,9 +56,8 @@ struct Tracker::Impl {
         patient(model),
         body(model, start.nodes_in_camera, options),
         clouds(model, start, options),
-        lesions(model, start, options.lesions) {
-    doubtful = !start.doubts.empty();
-  }
+        lesions(model, start, options.lesions),
+        doubtful(registration::is_in_doubt(start)) {}
 
   static void check(const PatientModel& model, const Registration& start) {
     if (start.nodes_in_camera.rows() != model.mesh.vertex_count())
@@ -286,7 +286,7 @@ struct Tracker::Impl {
     relocator->rebind(change.of_surface);
     hand->accept(std::move(renewal));
     lesions.take(registration);
-    doubtful = !registration.doubts.empty();
+    doubtful = registration::is_in_doubt(registration);
     going_over.reset();
     // Evidence against a refuted place says nothing of the new one; evidence for a shown one goes on
     // counting.
@@ -481,7 +481,7 @@ OverlayFrame Tracker::undo_correction() {
 }
 
 OverlayFrame Tracker::take(const Registration& registration) {
-  return timed(!registration.doubts.empty(), [&] { return impl_->take(registration); });
+  return timed(registration::is_in_doubt(registration), [&] { return impl_->take(registration); });
 }
 
 std::shared_ptr<const PointsIn<CameraFrame>> Tracker::tissue_at_start() const {

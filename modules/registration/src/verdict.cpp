@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "glisson/registration/refusal.h"
+
 namespace glisson::registration {
 namespace {
 
@@ -59,7 +61,7 @@ Verdict judge(const Findings& found) {
   // The organ may be well known on the whole, and a lesion far from all that is seen not.
   if (!(expected_of(found.expected) > kMuchExpected))
     for (const Findings::Lesion& lesion : found.lesions)
-      weigh(lesion.name + ".error_large", expected_of(lesion.expected), kMuchExpected, kNever, 1e3);
+      weigh(lesion.name + kLesionError, expected_of(lesion.expected), kMuchExpected, kNever, 1e3);
   weigh("elsewhere_probable", found.elsewhere, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("looks_differ", found.looks_differ, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, -kEvenOdds, -1.0);

@@ -194,7 +194,7 @@ void LiveViewModel::show_registered() {
     job.overlay.validity = !current ? Validity::stale : refused ? Validity::not_started : Validity::valid;
     job.overlay.nodes_in_camera = now[part::registration]->nodes_in_camera;
     job.overlay.residual = now[part::registration]->residual;
-    job.overlay.doubtful = !now[part::registration]->doubts.empty();
+    job.overlay.doubtful = registration::is_in_doubt(*now[part::registration]);
     job.overlay.lesions = lesions_at_start(job.overlay);
   }
   const bool is_of_this_model =
