@@ -374,7 +374,7 @@ class Run {
     if (context_.cancelled()) return false;
     bound_lesions_ = bound_lesions(model_);
     examined_.lesions = lesions_of(model_.mesh, bound_lesions_, *examined_.error, registration_);
-    if (has_own_errors()) take_own_errors();
+    take_errors();
     auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error,
                              options_.start != Start::none},
                             context_.quiet());
@@ -403,17 +403,17 @@ class Run {
     return true;
   }
 
-  /// Where supports are known and forces were found, their own posterior is the nearer one. It takes the
-  /// pose for known.
-  bool has_own_errors() { return result().forces && !elastic_.prior && knows_pose(); }
-
-  void take_own_errors() {
-    registration_.expected = result().forces->expected_error;
+  /// What is expected of nodes and lesions. Where supports are known and forces were found, their own
+  /// posterior is the nearer one. It takes the pose for known.
+  void take_errors() {
+    const std::optional<ContactForceFit>& forces = result().forces;
+    const bool has_own = forces && !elastic_.prior && knows_pose();
+    registration_.expected = has_own ? forces->expected_error : examined_.error->expected();
     registration_.covariances = examined_.error->node_covariances();
-    if (registration_.expected.size() == registration_.covariances.rows()) {
-      sized_as(registration_.expected, registration_.covariances);
-      size_lesions(model_.mesh, bound_lesions_, registration_.expected, examined_.lesions);
-    } else {
+    if (has_own && forces->expected_error.size() == registration_.covariances.rows()) {
+      sized_as(forces->expected_error, registration_.covariances);
+      size_lesions(model_.mesh, bound_lesions_, forces->expected_error, examined_.lesions);
+    } else if (has_own) {
       registration_.covariances.resize(0, 6);  // not known, as the expected errors
       examined_.lesions.clear();
     }
@@ -421,16 +421,11 @@ class Run {
 
   /// What travels with the registration of where it may be wrong.
   void tell_of_places(std::vector<RegistrationRival> rivals) {
-    const std::optional<ContactForceFit>& forces = result().forces;
-    if (!has_own_errors()) {
-      registration_.expected = examined_.error->expected();
-      registration_.covariances = examined_.error->node_covariances();
-    }
     for (const LesionError& lesion : examined_.lesions)
       registration_.lesions.push_back({lesion.lesion, lesion.covariance});
     registration_.forks = forks_of(model_, registration_, *examined_.error);
     registration_.rivals = plausible_rivals(std::move(rivals));
-    if (forces) registration_.forces = found_forces(*forces);
+    if (result().forces) registration_.forces = found_forces(*result().forces);
   }
 
   void tell(const Verdict& verdict) {
