@@ -55,6 +55,7 @@ History History::with(Step step) const {
     const Step& last = *history.steps_.back();
     step.changes = joined(last.changes, step.changes);
     step.infos_before = last.infos_before;
+    step.notes_before = last.notes_before;
     history.steps_.pop_back();
   }
   history.steps_.push_back(std::make_shared<const Step>(std::move(step)));

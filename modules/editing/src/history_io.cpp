@@ -76,7 +76,9 @@ json step_entry(const History::Step& step, BrickBook& book) {
           {"size_mm", 1e3 * step.name.size},
           {"bricks", changes},
           {"infos_before", info_entries(step.infos_before)},
-          {"infos_after", info_entries(step.infos_after)}};
+          {"infos_after", info_entries(step.infos_after)},
+          {"notes_before", step.notes_before},
+          {"notes_after", step.notes_after}};
 }
 
 History::Step step_of(const json& entry, const LabelVolume& bricks, std::size_t brick_count,
@@ -97,6 +99,9 @@ History::Step step_of(const json& entry, const LabelVolume& bricks, std::size_t 
   }
   step.infos_before = infos_of(entry.at("infos_before"));
   step.infos_after = infos_of(entry.at("infos_after"));
+  const std::vector<std::string> none;  // in cases of before
+  step.notes_before = entry.value("notes_before", none);
+  step.notes_after = entry.value("notes_after", none);
   return step;
 }
 

@@ -71,7 +71,7 @@ Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Lab
   Applied applied{state};
   applied.notes = found->notes;
   if (!compares) {
-    put_grown_labels(applied.state, std::move(found->labels), step::segment);
+    put_grown_labels(applied.state, std::move(*found), step::segment);
     applied.figures = label_figures(applied.state);
     return applied;
   }

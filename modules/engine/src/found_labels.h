@@ -3,24 +3,17 @@
 
 #include <functional>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "glisson/engine/command.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/patient/label_map.h"
+#include "label_steps.h"
 
 /// @file
 /// What every command does alike that finds labels by machine: what a hand has corrected is replaced only
 /// when that was said, and what would change of it is told.
 
 namespace glisson::engine {
-
-/// Labels that were found, and what belongs to them.
-struct FoundLabels {
-  LabelMap labels;
-  std::vector<std::string> notes;
-};
 
 /// @param edited labels that a hand has corrected and that would be found anew.
 /// @param keeps_labels the finding starts from the case's labels (see Segment::keeps_labels()).

@@ -31,26 +31,29 @@ editing::History history_or_none(const CaseState& state) {
   return state[part::history] ? *state[part::history] : editing::History();
 }
 
-/// Puts labels in place, with their figures; preview and offer were of others.
-void put_labels(CaseState& state, LabelMap labels, editing::History history) {
+/// Puts labels in place, with their figures and what is told of them; preview and offer were of others.
+void put_labels(CaseState& state, FoundLabels made, editing::History history) {
+  LabelMap& labels = made.labels;
   const auto image = state[part::image];
   const bool measurable = image && image->grid.same_as(labels.voxels.grid());
   state[part::statistics] = std::make_shared<const segmentation::LabelStatistics>(
       labels, measurable ? image.get() : nullptr, state[part::statistics].get());
   state[part::labels] = std::make_shared<const LabelMap>(std::move(labels));
+  state[part::label_notes] = std::make_shared<const std::vector<std::string>>(std::move(made.notes));
   state[part::history] = std::make_shared<const editing::History>(std::move(history));
   state[part::preview] = nullptr;
   state[part::offer] = nullptr;
 }
 
 /// Puts the labels in place that a step made of `before`. @return those of which a voxel came or went.
-std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap labels,
+std::set<Label> step_to(CaseState& state, const LabelMap& before, FoundLabels after,
                         const editing::StepName& name, std::uint64_t gesture = 0) {
-  LabelChanges changes = labels.voxels.changes_since(before.voxels);
+  LabelChanges changes = after.labels.voxels.changes_since(before.voxels);
   std::set<Label> touched = labels_touched(changes);
   editing::History history =
-      history_or_none(state).with({name, std::move(changes), before.infos, labels.infos, gesture});
-  put_labels(state, std::move(labels), std::move(history));
+      history_or_none(state).with({name, std::move(changes), before.infos, after.labels.infos, gesture,
+                                   told_of_labels(state), after.notes});
+  put_labels(state, std::move(after), std::move(history));
   return touched;
 }
 
@@ -103,7 +106,8 @@ void put_review(CaseState& state, const Review& review) {
 void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels,
                        const editing::StepName& name, std::uint64_t gesture) {
   const Review review = review_or_none(state);
-  put_review(state, review_after(review, step_to(state, before, std::move(labels), name, gesture)));
+  FoundLabels after{std::move(labels), told_of_labels(state)};
+  put_review(state, review_after(review, step_to(state, before, std::move(after), name, gesture)));
 }
 
 /// Not so of labels that were made of an image before this one.
@@ -113,15 +117,15 @@ bool are_of_this_image(const CaseState& state) {
   return image == inputs.end() || image->second == state.stamp(part::image).revision;
 }
 
-std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing::StepName& name) {
-  const VolumeGrid& grid = labels.voxels.grid();
+std::set<Label> replace_labels(CaseState& state, FoundLabels found, const editing::StepName& name) {
+  const VolumeGrid& grid = found.labels.voxels.grid();
   const auto former = state[part::labels];
   if (former && former->voxels.grid().same_as(grid) && are_of_this_image(state))
-    return step_to(state, *former, std::move(labels), name);
+    return step_to(state, *former, std::move(found), name);
   // Steps on another grid lead nowhere, those on another image to labels that are not of this one, nor is
   // there a way back to no labels at all.
-  std::set<Label> touched = labels_touched(labels.voxels.changes_since(LabelVolume(grid)));
-  put_labels(state, std::move(labels), editing::History());
+  std::set<Label> touched = labels_touched(found.labels.voxels.changes_since(LabelVolume(grid)));
+  put_labels(state, std::move(found), editing::History());
   return touched;
 }
 
@@ -135,12 +139,12 @@ void step_labels(CaseState& state, StepDirection direction) {
   const editing::History::Step& step = back ? history.undo_step() : history.redo_step();
   put_review(state, review_after(review_or_none(state), labels_touched(step.changes)));
   auto [stepped, then] = back ? history.undo(*labels) : history.redo(*labels);
-  put_labels(state, std::move(stepped), std::move(then));
+  put_labels(state, {std::move(stepped), back ? step.notes_before : step.notes_after}, std::move(then));
 }
 
-void put_grown_labels(CaseState& state, LabelMap labels, const StepKind& kind) {
+void put_grown_labels(CaseState& state, FoundLabels found, const StepKind& kind) {
   Review review = review_or_none(state);
-  for (const Label label : replace_labels(state, std::move(labels), kind.name()))
+  for (const Label label : replace_labels(state, std::move(found), kind.name()))
     review[label] = ReviewState::to_review;
   put_review(state, review);
 }
@@ -154,7 +158,8 @@ void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_han
                        [&](const LabelInfo& other) { return other.code == info.code; }))
         labels.infos.push_back(info);
   }
-  put_grown_labels(state, std::move(labels), keeps_hand ? step::segment_around_hand : step::segment);
+  put_grown_labels(state, {std::move(labels), offer.notes},
+                   keeps_hand ? step::segment_around_hand : step::segment);
 }
 
 Figures label_figures(const CaseState& state) {

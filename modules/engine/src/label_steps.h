@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "glisson/core/json_file.h"
 #include "glisson/editing/history.h"
@@ -17,6 +18,12 @@
 /// review of what they touched.
 
 namespace glisson::engine {
+
+/// Labels that were found, and what is told of them.
+struct FoundLabels {
+  LabelMap labels;
+  std::vector<std::string> notes;
+};
 
 /// For errors: "liver, lesion_1".
 std::string structure_names(const std::set<Label>& labels);
@@ -40,14 +47,14 @@ void put_review(CaseState& state, const Review& review);
 void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels,
                        const editing::StepName& name, std::uint64_t gesture);
 /// Labels that a whole step made anew. The review is the caller's. @return those of which a voxel changed.
-std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing::StepName& name);
+std::set<Label> replace_labels(CaseState& state, FoundLabels found, const editing::StepName& name);
 
 enum class StepDirection { back, forth };
 /// One step of the history. @throws InputError when there is none.
 void step_labels(CaseState& state, StepDirection direction);
 
 /// The labels that growth found, with their review and figures: what a machine made is there to be looked at.
-void put_grown_labels(CaseState& state, LabelMap labels, const StepKind& kind);
+void put_grown_labels(CaseState& state, FoundLabels found, const StepKind& kind);
 /// The same of an offer, with or without the voxels that a hand has corrected.
 void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_hand);
 

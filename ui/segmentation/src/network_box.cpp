@@ -2,14 +2,10 @@
 #include "glisson/ui/segmentation/network_box.h"
 
 #include <QFileDialog>
-#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "glisson/engine/commands/segment_by_network.h"
-#include "glisson/engine/parts/image.h"
-#include "glisson/ui/common/panel.h"
-#include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
 
@@ -30,15 +26,6 @@ NetworkBox::NetworkBox(EngineBridge& engine, QWidget* parent) : QWidget(parent),
   run_->watch(command());
   run_->hide();
   column->addWidget(run_);
-  notes_ = make_warning(this);
-  column->addWidget(notes_);
-  connect(run_, &TaskButton::done, this,
-          [this](const engine::Outcome& outcome) { show_warning(*notes_, notes_text(outcome.notes)); });
-  connect(&engine_, &EngineBridge::case_changed, this, [this] {
-    if (engine_.state()[part::image] == image_) return;
-    image_ = engine_.state()[part::image];
-    notes_->hide();  // they were said of the former one
-  });
 }
 
 void NetworkBox::choose() {
@@ -50,7 +37,6 @@ void NetworkBox::set_network(const std::filesystem::path& path) {
   network_ = path;
   const QString name = QString::fromStdString(path.filename().string());
   choose_->setText(choose_->fontMetrics().elidedText(tr("Network: %1").arg(name), Qt::ElideMiddle, 260));
-  notes_->hide();
   run_->show();
 }
 

@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
-#include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -31,6 +30,7 @@
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/click_box.h"
 #include "glisson/ui/segmentation/network_box.h"
+#include "glisson/ui/segmentation/notes_box.h"
 #include "glisson/ui/segmentation/region_box.h"
 #include "glisson/ui/segmentation/slice_circle.h"
 
@@ -116,11 +116,9 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
     if (is_replaced_) let_go();
     show_buttons();
   });
-  for (const TaskButton* button : {run_, propose_})
-    connect(button, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
-      if (outcome.status != engine::Status::done) return;
-      show_warning(*notes_, notes_text(outcome.notes));
-    });
+  connect(propose_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
+    if (outcome.status == engine::Status::done) notes_->show_proposal(outcome.notes);
+  });
   show_case();
 }
 
@@ -240,7 +238,7 @@ void SeedBox::build_growth() {
   propose_->setToolTip(tr("Looks for the liver without a click in it: seeds that you can delete or add to."));
   propose_->watch(engine::ProposeSeeds{});
   column_of(this)->addWidget(propose_);
-  notes_ = make_warning(this);
+  notes_ = new NotesBox(engine_, this);
   column_of(this)->addWidget(notes_);
   network_ = new NetworkBox(engine_, this);
   column_of(this)->addWidget(network_);
@@ -374,11 +372,10 @@ void SeedBox::show_case() {
     known_lesions_.clear();
     cleared_ = {};
     drawn_from_.reset();
-    notes_->hide();  // they were said of the former one
   }
   // While own edits are on their way the box is ahead of the case.
   if (storing_.empty() && engine_.state()[part::seeds] != taken_) take_seeds();
-  if (!engine_.state()[part::labels] && seeds_.liver.rows() == 0) notes_->hide();
+  if (seeds_.liver.rows() == 0) notes_->forget_proposal();
   show_buttons();
 }
 

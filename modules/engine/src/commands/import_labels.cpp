@@ -23,8 +23,9 @@ LabelPlace place_of(const CaseState& state) {
 
 /// The labels with their figures, their review and what was told of them.
 Applied with_imported(const CaseState& state, ImportedLabels imported) {
-  Applied applied{state, {}, std::move(imported.notes)};
-  replace_labels(applied.state, std::move(imported.labels), step::import_labels.name());
+  Applied applied{state, {}, imported.notes};
+  replace_labels(applied.state, {std::move(imported.labels), std::move(imported.notes)},
+                 step::import_labels.name());
   put_review(applied.state, imported.review);
   applied.figures = label_figures(applied.state);
   return applied;
@@ -42,11 +43,10 @@ CommandTraits ImportLabels::traits() const {
 Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContext& context) const {
   auto imported = import_labels(path, codes, left_liver, place_of(state), context);
   if (!imported) return {};
-  Applied applied = with_imported(state, std::move(*imported));
-  auto notes = orientation_notes(atlas.get(), *applied.state[part::labels], context.part(0.5, 1.0));
+  auto notes = orientation_notes(atlas.get(), imported->labels, context.part(0.5, 1.0));
   if (!notes) return {};
-  applied.notes.insert(applied.notes.end(), notes->begin(), notes->end());
-  return applied;
+  imported->notes.insert(imported->notes.end(), notes->begin(), notes->end());
+  return with_imported(state, std::move(*imported));
 }
 
 }  // namespace glisson::engine

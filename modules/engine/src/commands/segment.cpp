@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/segment.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "found_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
 
 namespace glisson::engine {
@@ -18,7 +20,15 @@ Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, c
   auto segmented = segmentation::segment(*state[part::image], *state[part::seeds], command.options, context,
                                          kept, services.show_evolving);
   if (!segmented) return {};
-  return FoundLabels{std::move(segmented->labels), std::move(segmented->report.notes)};
+  const auto is_kept = [&](Label label) {
+    const auto& locked = command.options.locked;
+    return kept != nullptr &&
+           (std::ranges::find(locked, label) != locked.end() ||
+            !segmentation::is_found_anew(label, command.options.structures, *state[part::seeds]));
+  };
+  return FoundLabels{
+      std::move(segmented->labels),
+      segmentation::with_kept_notes(told_of_labels(state), is_kept, std::move(segmented->report.notes))};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/segment_by_network.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "found_labels.h"
@@ -8,6 +9,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/network/label_network.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
 
 namespace glisson::engine {
@@ -20,7 +22,12 @@ Cancellable<FoundLabels> found(const SegmentByNetwork& command, const network::L
                                             context, state[part::labels].get());
   if (!labelled) return {};
   tiles = labelled->tiles;
-  return FoundLabels{std::move(labelled->labels), std::move(labelled->notes)};
+  const auto is_kept = [&](Label label) {
+    return !sheet.finds(label) || std::ranges::find(command.locked, label) != command.locked.end();
+  };
+  return FoundLabels{
+      std::move(labelled->labels),
+      segmentation::with_kept_notes(told_of_labels(state), is_kept, std::move(labelled->notes))};
 }
 
 }  // namespace

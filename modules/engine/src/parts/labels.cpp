@@ -23,10 +23,10 @@ json save(const CaseState& state, const CaseFolder& folder) {
     fs::create_directory(folder.path / "history");
     editing::write_history(folder.path / "history", *state[part::history]);
   }
-  return json::object();
+  return {{"notes", told_of_labels(state)}};
 }
 
-void load(CaseState& state, const json&, const CaseFolder& folder) {
+void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   LabelFile file = read_labels(folder.path / "labels.seg.nrrd");
   const auto labels =
       std::make_shared<const LabelMap>(LabelMap{std::move(file.voxels), std::move(file.infos)});
@@ -34,6 +34,9 @@ void load(CaseState& state, const json&, const CaseFolder& folder) {
   if (fs::exists(folder.path / "history/steps.json"))
     state[part::history] = std::make_shared<const editing::History>(
         editing::read_history(folder.path / "history", labels->voxels));
+  if (const auto notes = entry.find("notes"); notes != entry.end())  // cases of before have none
+    state[part::label_notes] =
+        std::make_shared<const std::vector<std::string>>(notes->get<std::vector<std::string>>());
   const auto& image = state[part::image];
   const bool measurable = image && image->grid.same_as(labels->voxels.grid());
   state[part::statistics] =
@@ -42,14 +45,20 @@ void load(CaseState& state, const json&, const CaseFolder& folder) {
 
 bool same(const CaseState& written, const CaseState& read) {
   return read[part::labels]->voxels == written[part::labels]->voxels &&
+         told_of_labels(read) == told_of_labels(written) &&
          (!has_steps(written) ||
           (has_steps(read) && read[part::history]->steps().size() == written[part::history]->steps().size()));
 }
 
 }  // namespace
 
+std::vector<std::string> told_of_labels(const CaseState& state) {
+  return state[part::label_notes] ? *state[part::label_notes] : std::vector<std::string>();
+}
+
 const PartOf<editing::History> part::history{{.code = "history"}};
 const PartOf<segmentation::LabelStatistics> part::statistics{{.code = "statistics"}};
+const PartOf<std::vector<std::string>> part::label_notes{{.code = "label_notes"}};
 const PartOf<LabelMap> part::labels{{.code = "labels",
                                      .made_of = {part::image, part::seeds},
                                      .remedy = "Segment the CT or import labels first",
@@ -57,7 +66,7 @@ const PartOf<LabelMap> part::labels{{.code = "labels",
                                      .save = save,
                                      .load = load,
                                      .same = same,
-                                     .companions = {&part::history, &part::statistics},
+                                     .companions = {&part::history, &part::statistics, &part::label_notes},
                                      // Labels that a hand has changed no longer follow from seeds alone.
                                      .changed_frees_from = {part::seeds}}};
 

@@ -6,6 +6,7 @@
 #include <deque>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ class History {
     LabelChanges changes;
     std::vector<LabelInfo> infos_before, infos_after;  ///< of the whole label map
     std::uint64_t gesture = 0;  ///< steps of one gesture are joined into one; 0: belongs to none
+    std::vector<std::string> notes_before = {}, notes_after = {};  ///< what is told of the labels
   };
 
   /// The history after a step from `before` to `after`; what could be redone is forgotten. A step of the same

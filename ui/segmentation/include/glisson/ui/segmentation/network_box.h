@@ -9,7 +9,6 @@
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/task_button.h"
 
-class QLabel;
 class QPushButton;
 
 namespace glisson::ui {
@@ -33,10 +32,8 @@ class NetworkBox : public QWidget {
   EngineBridge& engine_;
   std::filesystem::path network_;
   std::set<Label> locked_;
-  std::shared_ptr<const Image> image_;  ///< that the notes are of
   QPushButton* choose_;
   TaskButton* run_;
-  QLabel* notes_;
 };
 
 }  // namespace glisson::ui

@@ -13,7 +13,6 @@
 
 class QComboBox;
 class QGridLayout;
-class QLabel;
 class QListWidget;
 class QPushButton;
 class QScrollArea;
@@ -22,6 +21,7 @@ namespace glisson::ui {
 
 class ClickBox;
 class NetworkBox;
+class NotesBox;
 class RegionBox;
 
 /// Seeds that are clicked in the slices, their list, and the growth from them.
@@ -106,7 +106,7 @@ class SeedBox : public QWidget {
   QComboBox* what_ = nullptr;
   RegionBox* region_ = nullptr;
   TaskButton* run_ = nullptr;
-  QLabel* notes_ = nullptr;
+  NotesBox* notes_ = nullptr;
   NetworkBox* network_ = nullptr;
 };
 

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told of labels stays with them: in the case, under a hand's edits, and back and forth in the steps.
+#include <QTest>
+#include <algorithm>
+
+#include "glisson/core/files.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/export_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/redo_labels.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/undo_labels.h"
+#include "glisson/engine/engine.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/volume/io.h"
+#include "labelled_ct.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+using namespace glisson::test;
+using Notes = std::vector<std::string>;
+
+namespace {
+
+/// A liver of 36 mm about the origin.
+Image ball_ct() {
+  Image image;
+  image.grid.size = {40, 40, 36};
+  image.grid.spacing_mm = {3.0, 3.0, 3.0};
+  image.grid.origin_mm = {-58.5, -58.5, -52.5};
+  std::vector<std::int16_t> voxels;
+  voxels.reserve(static_cast<std::size_t>(image.grid.voxel_count()));
+  for (int k = 0; k < 36; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 40; ++i)
+        voxels.push_back(image.grid.p_in_ct(Eigen::Vector3d(i, j, k)).xyz.norm() < 36e-3 ? 110 : -100);
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  return image;
+}
+
+Segment coarse() {
+  Segment segment;
+  segment.options.working_spacing_mm = 4.0;
+  segment.over_hand_work = OverHandWork::replace;
+  return segment;
+}
+
+bool tells(const Notes& notes, const char* note) {
+  return std::find(notes.begin(), notes.end(), note) != notes.end();
+}
+
+}  // namespace
+
+class LabelNotesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void TheyComeBackWithTheCase();
+  void TheyGoBackAndForthWithTheSteps();
+  void WhatIsToldOfAKeptLiverOutlastsANewSearchInIt();
+
+ private:
+  Outcome run(Command command) { return done(*engine_, std::move(command)); }
+  Notes told() { return told_of_labels(engine_->snapshot()->state); }
+  std::filesystem::path path(const char* name) const { return folder_->path() / name; }
+
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<Engine> engine_;
+};
+
+void LabelNotesTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  write_image(path("ct.nrrd"), ball_ct());
+  Engine::Options options;
+  options.runner = Runner::inline_;
+  engine_ = std::make_unique<Engine>(std::move(options));
+  QCOMPARE(run(ImportImage{path("ct.nrrd")}).status, Status::done);
+  segmentation::Seeds seeds;
+  seeds.liver = PointsIn<CtFrame>::Zero(2, 3);
+  seeds.liver.row(1) = Eigen::RowVector3d(0.0, 0.05, 0.0);  // in the air
+  QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
+  const Outcome segmented = run(coarse());
+  QVERIFY2(segmented.status == Status::done, segmented.error.c_str());
+  QCOMPARE(told(), segmented.notes);
+  QVERIFY(tells(told(), "seed.liver_apart 2") && tells(told(), "liver.small"));
+}
+
+void LabelNotesTest::TheyComeBackWithTheCase() {
+  const Notes before = told();
+  QCOMPARE(run(EditLabels{ball({0, 0, 39}, 6)}).status, Status::done);
+  QCOMPARE(told(), before);
+  QCOMPARE(run(SaveCase{path("a.glisson")}).status, Status::done);
+  QCOMPARE(run(ImportImage{path("ct.nrrd")}).status, Status::done);
+  QCOMPARE(run(OpenCase{path("a.glisson")}).status, Status::done);
+  QCOMPARE(told(), before);
+}
+
+void LabelNotesTest::TheyGoBackAndForthWithTheSteps() {
+  const Notes before = told();
+  QCOMPARE(run(ExportLabels{path("l.seg.nrrd")}).status, Status::done);
+  QCOMPARE(run(EditLabels{ball({0, 0, 39}, 6)}).status, Status::done);
+  const Outcome imported = run(ImportLabels{path("l.seg.nrrd"), {}});
+  QVERIFY2(imported.status == Status::done, imported.error.c_str());
+  QCOMPARE(told(), imported.notes);
+  QVERIFY(told() != before);
+  QCOMPARE(run(UndoLabels{}).status, Status::done);
+  QCOMPARE(told(), before);
+  // The case keeps both.
+  QCOMPARE(run(SaveCase{path("a.glisson")}).status, Status::done);
+  QCOMPARE(run(OpenCase{path("a.glisson")}).status, Status::done);
+  QCOMPARE(run(RedoLabels{}).status, Status::done);
+  QCOMPARE(told(), imported.notes);
+  QCOMPARE(run(UndoLabels{}).status, Status::done);
+  QCOMPARE(told(), before);
+}
+
+void LabelNotesTest::WhatIsToldOfAKeptLiverOutlastsANewSearchInIt() {
+  segmentation::Seeds seeds;
+  seeds.liver = PointsIn<CtFrame>::Zero(1, 3);
+  seeds.lesions = {PointsIn<CtFrame>::Zero(1, 3)};
+  QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
+  Segment lesions = coarse();
+  lesions.options.structures = segmentation::kNoStructures;
+  lesions.options.structures.lesions = true;
+  const Outcome outcome = run(lesions);
+  QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
+  QVERIFY(tells(told(), "seed.liver_apart 2"));
+  const Notes now = told();
+  QCOMPARE(std::count(now.begin(), now.end(), "liver.small"), 1);
+  QCOMPARE(now, outcome.notes);
+  // Found anew, it is told of anew.
+  QCOMPARE(run(coarse()).status, Status::done);
+  QVERIFY(!tells(told(), "seed.liver_apart 2") && tells(told(), "liver.small"));
+}
+
+QTEST_APPLESS_MAIN(LabelNotesTest)
+#include "label_notes_test.moc"

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glisson/ui/common/engine_bridge.h"
+
+class QLabel;
+
+namespace glisson::ui {
+
+/// What is told of the case's labels, however they came about and whenever the case was opened; while a new
+/// segmentation is offered, of that one.
+class NotesBox : public QWidget {
+  Q_OBJECT
+ public:
+  explicit NotesBox(EngineBridge& engine, QWidget* parent = nullptr);
+
+  /// What is told of proposed seeds comes first, until labels are made of them, or there is another CT or no
+  /// seed.
+  void show_proposal(const std::vector<std::string>& notes);
+  void forget_proposal() { show_proposal({}); }
+
+ private:
+  void show_case();
+
+  EngineBridge& engine_;
+  std::shared_ptr<const Image> image_;
+  std::shared_ptr<const LabelMap> labels_;
+  std::vector<std::string> proposal_;
+  QLabel* words_ = nullptr;
+};
+
+}  // namespace glisson::ui
