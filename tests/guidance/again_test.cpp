@@ -59,32 +59,37 @@ void AgainTest::LooksOfAMovingOrganJoinInTheShapeOfTheStart() {
   QVERIFY(!tracker.tissue_at_start());
   followed(tracker, 1, 45);
   const auto tissue = tracker.tissue_at_start();
-  QVERIFY(tissue && tissue->rows() > 50);
+  QVERIFY(tissue && tissue->size() > 50);
   TriangleMesh surface = film_.model.surface.mesh;
   for (int i = 0; i < surface.vertex_count(); ++i)
     surface.vertices.row(i) =
         film_.nodes.row(film_.model.surface.node_of_vertex[static_cast<std::size_t>(i)]);
-  const DistanceSummary away = summarise(distances_to_surface(*tissue, surface));
+  const DistanceSummary away = summarise(distances_to_surface(tissue->points, surface));
   QVERIFY2(away.median < 1e-3 && away.percentile_95 < 3e-3,
            qPrintable(QString("%1, %2 mm").arg(1e3 * away.median).arg(1e3 * away.percentile_95)));
+  // The scope stood still: seen from the moving organ it was about where it is.
+  QVERIFY(tissue->seen_from.rows() == tissue->points.rows() &&
+          tissue->seen_from.rowwise().norm().maxCoeff() < 10e-3);
 }
 
 void AgainTest::WhatPassesByIsNoTissue() {
   TissueMap map;
   std::vector<Eigen::Vector3d> places;
+  const Eigen::Vector3d eye(0.01, 0.02, -0.03);
   for (int i = 0; i < 10; ++i) places.emplace_back(0.01 * i + 1e-3, 1e-3, 0.1);
   for (int look = 0; look < 5; ++look) {
-    map.add(places);
+    map.add(places, eye);
     if (look < 2) {
-      QCOMPARE(map.places().rows(), 0);
-      map.add({{0.01 * look, 0.02, 0.08}});  // a tool, each time elsewhere
+      QCOMPARE(map.places().size(), 0);
+      map.add({{0.01 * look, 0.02, 0.08}}, eye);  // a tool, each time elsewhere
     }
   }
-  QCOMPARE(map.places().rows(), 10);
+  QCOMPARE(map.places().size(), 10);
   for (const Eigen::Vector3d& place : places)
-    QVERIFY((map.places().rowwise() - place.transpose()).rowwise().norm().minCoeff() < 1e-12);
+    QVERIFY((map.places().points.rowwise() - place.transpose()).rowwise().norm().minCoeff() < 1e-12);
+  QVERIFY((map.places().seen_from.rowwise() - eye.transpose()).rowwise().norm().maxCoeff() < 1e-12);
   map.clear();
-  QCOMPARE(map.places().rows(), 0);
+  QCOMPARE(map.places().size(), 0);
 }
 
 void AgainTest::AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs() {

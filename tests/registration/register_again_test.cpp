@@ -3,6 +3,7 @@
 #include "glisson/registration/register_again.h"
 
 #include <QTest>
+#include <algorithm>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
@@ -17,6 +18,7 @@ class RegisterAgainTest : public QObject {
   void AWrongOneBecomesBetterByWhatNeitherHasUsed();
   void ARightOneIsNotReplacedByChance();
   void NewDoubtsAreNotTakenUnseen();
+  void TissueShowsItsFaceToWhereItWasSeenFrom();
   void TheFirstCloudsMarksTakePart();
   void LittleTissueOrAForeignStartIsRefused();
   void CancelGivesNothing();
@@ -41,7 +43,11 @@ class RegisterAgainTest : public QObject {
   LabelledCloud seen(unsigned seed, double noise = 0.5e-3) const {
     return phantom::patch(model_, truth_, {.share = 0.3, .noise = noise, .seed = seed});
   }
-  PointsIn<CameraFrame> tissue(double noise = 0.5e-3) const { return seen(7, noise).points; }
+  LabelledCloud tissue(double noise = 0.5e-3) const {
+    LabelledCloud cloud;
+    cloud.points = seen(7, noise).points;
+    return cloud;
+  }
   double error(const Registration& made) const { return point_errors(made.nodes_in_camera, truth_).mean; }
 
   PatientModel model_ = phantom::model(8, 6, 3);
@@ -80,6 +86,31 @@ void RegisterAgainTest::NewDoubtsAreNotTakenUnseen() {
   QVERIFY(once_more->is_better);
 }
 
+void RegisterAgainTest::TissueShowsItsFaceToWhereItWasSeenFrom() {
+  // The scope went round to the organ's other side: there the first camera sees nothing of it.
+  const Eigen::Vector3d middle = truth_.colwise().mean().transpose();
+  Rigid<CameraFrame, CameraFrame> round;  // into the second camera's frame, about the organ
+  round.rotation = rotation_by({0.0, 2.4, 0.0});
+  round.translation = middle - round.rotation * middle;
+  LabelledCloud there;
+  there.points =
+      round.inverse().apply(phantom::patch(model_, round.apply(truth_), {.share = 0.4, .seed = 7}).points);
+  there.seen_from = round.inverse().translation.transpose().replicate(there.points.rows(), 1);
+  const Registration wrong = at(off(8e-3, -5e-3, 6e-3));
+  const auto doubts_turned = [](const RegisteredAgain& again) {
+    const auto& doubts = again.examined.registered.registration.doubts;
+    return std::any_of(doubts.begin(), doubts.end(),
+                       [](const std::string& doubt) { return doubt.starts_with("points_turned"); });
+  };
+  const auto again = register_again(model_, seen(1), there, wrong, plain(), RunContext());
+  QVERIFY(!doubts_turned(*again));
+  QVERIFY(again->is_better);
+  QVERIFY2(error(again->examined.registered.registration) < 0.3 * error(wrong),
+           qPrintable(QString::number(1e3 * error(again->examined.registered.registration))));
+  there.seen_from.resize(0, 3);  // as if the first camera had seen it
+  QVERIFY(doubts_turned(*register_again(model_, seen(1), there, wrong, plain(), RunContext())));
+}
+
 void RegisterAgainTest::TheFirstCloudsMarksTakePart() {
   const Registration wrong = at(off(6e-3, 0.0, 0.0));
   const auto with = register_again(model_, seen(1), tissue(), wrong, plain(), RunContext());
@@ -90,7 +121,8 @@ void RegisterAgainTest::TheFirstCloudsMarksTakePart() {
 
 void RegisterAgainTest::LittleTissueOrAForeignStartIsRefused() {
   const Registration former = at(phantom::view());
-  const Points few = tissue().topRows(29);
+  LabelledCloud few;
+  few.points = tissue().points.topRows(29);
   QVERIFY_THROWS_EXCEPTION(InputError, register_again(model_, seen(1), few, former, plain(), RunContext()));
   Registration foreign = former;
   foreign.nodes_in_camera.conservativeResize(3, 3);

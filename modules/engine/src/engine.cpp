@@ -275,7 +275,7 @@ struct Engine::Impl final : LiveLanes {
     OverlayFrame overlay;
     std::vector<CorrectionMade> corrections;
     std::optional<MaskStatus> mask;
-    std::shared_ptr<const PointsIn<CameraFrame>> tissue;
+    std::shared_ptr<const LabelledCloud> tissue;
     std::visit(
         [&](const auto& input) {
           overlay.index = input.index;

@@ -59,9 +59,7 @@ class TrackerFollower : public Follower {
   OverlayFrame undo_correction() override { return tracker_.undo_correction(); }
   std::vector<CorrectionMade> corrections() const override { return tracker_.corrections(); }
   OverlayFrame take(const Registration& registration) override { return tracker_.take(registration); }
-  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() override {
-    return tracker_.tissue_at_start();
-  }
+  std::shared_ptr<const LabelledCloud> tissue_at_start() override { return tracker_.tissue_at_start(); }
 
  private:
   void mask_by(const std::filesystem::path& network) {

@@ -80,7 +80,7 @@ struct Judge::Impl {
     tissue.clear();
     const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);
     take(seen);
-    tissue.add(seen.tissue);
+    tissue.add(seen.tissue, seen.eye);
     first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
@@ -134,7 +134,7 @@ struct Judge::Impl {
     take(seen);
     // Nothing hides the organ, both views show this moment, and it was found: what is seen is its tissue.
     const bool is_now = !shows_old() && !stands.stands() && !views.stands();
-    if (!undecided && !poor.stands() && is_now) tissue.add(seen.tissue);
+    if (!undecided && !poor.stands() && is_now) tissue.add(seen.tissue, seen.eye);
     if (!is_silent()) {
       apart.push(apartness(), 1.0, options.relief);
       look_at_mean_gap();

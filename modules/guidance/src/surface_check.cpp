@@ -9,6 +9,7 @@
 
 #include "anchored_points.h"
 #include "glisson/core/statistics.h"
+#include "glisson/geometry/rigid.h"
 #include "glisson/registration/moving_surface.h"
 #include "lifted_tissue.h"
 #include "small_stereo.h"
@@ -301,6 +302,8 @@ SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, c
   impl_->compare(points, followed, evidence);
   impl_->fit(points, evidence);
   evidence.tissue = impl_->tissue(points, shape, not_liver);
+  if (shape.rows() > 0)
+    evidence.eye = fit_rigid<CameraFrame, CameraFrame>(nodes_in_camera, shape).translation;
   return evidence;
 }
 

@@ -30,6 +30,7 @@ struct SurfaceEvidence {
   /// Where it sees tissue of the organ: these places of the material as they lie in the shape that check()
   /// was given, metres.
   std::vector<Eigen::Vector3d> tissue;
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< the left camera's, as the organ's motion takes it there
 };
 
 /// Compares the predicted surface with one that block matching makes of the pair alone: none of the tracked

@@ -22,25 +22,31 @@ std::uint64_t cell_of(const Eigen::Vector3d& p) {
 
 }  // namespace
 
-void TissueMap::add(const std::vector<Eigen::Vector3d>& places) {
+void TissueMap::add(const std::vector<Eigen::Vector3d>& places, const Eigen::Vector3d& eye) {
   ++looks_;
   for (const Eigen::Vector3d& place : places) {
     Cell& cell = cells_[cell_of(place)];
     cell.points = std::min(cell.points + 1, kRemembered);
     cell.mean += (place - cell.mean) / cell.points;
+    cell.eye += (eye - cell.eye) / cell.points;
     cell.looks += cell.last_look != looks_;
     cell.last_look = looks_;
   }
 }
 
-Points TissueMap::places() const {
+LabelledCloud TissueMap::places() const {
   std::vector<std::pair<std::uint64_t, const Cell*>> kept;
   for (const auto& [key, cell] : cells_)
     if (cell.looks >= kLeastLooks) kept.emplace_back(key, &cell);
   std::sort(kept.begin(), kept.end());
-  Points places(static_cast<Eigen::Index>(kept.size()), 3);
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
-    places.row(i) = kept[static_cast<std::size_t>(i)].second->mean.transpose();
+  LabelledCloud places;
+  places.points.resize(static_cast<Eigen::Index>(kept.size()), 3);
+  places.seen_from.resize(places.points.rows(), 3);
+  for (Eigen::Index i = 0; i < places.points.rows(); ++i) {
+    const Cell& cell = *kept[static_cast<std::size_t>(i)].second;
+    places.points.row(i) = cell.mean.transpose();
+    places.seen_from.row(i) = cell.eye.transpose();
+  }
   return places;
 }
 

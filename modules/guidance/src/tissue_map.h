@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "glisson/geometry/mesh.h"
+#include "glisson/patient/labelled_cloud.h"
 
 namespace glisson::guidance {
 
@@ -16,18 +16,19 @@ namespace glisson::guidance {
 /// and so is left out.
 class TissueMap {
  public:
-  /// One fresh surface. @param places in the registered shape, metres.
-  void add(const std::vector<Eigen::Vector3d>& places);
+  /// One fresh surface. @param places in the registered shape, metres. @param eye the left camera's there.
+  void add(const std::vector<Eigen::Vector3d>& places, const Eigen::Vector3d& eye);
   /// Fresh surfaces so far.
   int looks() const { return looks_; }
-  /// The mean place in each cell of 4 mm that at least three looks have seen. N x 3, metres, the registered
+  /// The mean place in each cell of 4 mm that at least three looks have seen, and the mean eye that saw it:
+  /// where a surface shows its face to several eyes it shows it to their mean, too. Metres, the registered
   /// shape's frame. The order is the same from run to run.
-  Points places() const;
+  LabelledCloud places() const;
   void clear();
 
  private:
   struct Cell {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero(), eye = Eigen::Vector3d::Zero();
     int points = 0, looks = 0, last_look = 0;
   };
   std::unordered_map<std::uint64_t, Cell> cells_;

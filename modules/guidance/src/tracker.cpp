@@ -308,11 +308,11 @@ struct Tracker::Impl {
     return overlay;
   }
 
-  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() {
+  std::shared_ptr<const LabelledCloud> tissue_at_start() {
     if (!judge || judge->tissue().looks() < kLeastLooks) return nullptr;
     if (!tissue || tissue_looks != judge->tissue().looks()) {
       tissue_looks = judge->tissue().looks();
-      tissue = std::make_shared<const PointsIn<CameraFrame>>(judge->tissue().places());
+      tissue = std::make_shared<const LabelledCloud>(judge->tissue().places());
     }
     return tissue;
   }
@@ -422,7 +422,7 @@ struct Tracker::Impl {
     double since = 0.0;
   };
   std::optional<GoingOver> going_over;
-  std::shared_ptr<const PointsIn<CameraFrame>> tissue;  ///< of so many looks:
+  std::shared_ptr<const LabelledCloud> tissue;  ///< of so many looks:
   int tissue_looks = 0;
   OverlayFrame last;               ///< of pictures, as it was judged
   int frames = 0, last_valid = 0;  ///< since begin(); the last that was valid
@@ -484,9 +484,7 @@ OverlayFrame Tracker::take(const Registration& registration) {
   return timed(registration::is_in_doubt(registration), [&] { return impl_->take(registration); });
 }
 
-std::shared_ptr<const PointsIn<CameraFrame>> Tracker::tissue_at_start() const {
-  return impl_->tissue_at_start();
-}
+std::shared_ptr<const LabelledCloud> Tracker::tissue_at_start() const { return impl_->tissue_at_start(); }
 
 const std::vector<CorrectionMade>& Tracker::corrections() const {
   static const std::vector<CorrectionMade> kNone;

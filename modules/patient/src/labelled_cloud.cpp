@@ -143,6 +143,7 @@ LabelledCloud rows_of(const LabelledCloud& cloud, const std::vector<int>& rows) 
   part.points = cloud.points(rows, Eigen::all);
   if (cloud.normals.rows() > 0) part.normals = cloud.normals(rows, Eigen::all);
   part.eyes = cloud.eyes;
+  if (cloud.seen_from.rows() > 0) part.seen_from = cloud.seen_from(rows, Eigen::all);
   for (const int i : rows) {
     const auto at = static_cast<std::size_t>(i);
     if (!cloud.features.empty()) part.features.push_back(cloud.features[at]);

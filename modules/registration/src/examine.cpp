@@ -91,6 +91,7 @@ LabelledCloud mirrored(const LabelledCloud& cloud) {
   image.points.col(0) *= -1.0;
   if (image.normals.rows() > 0) image.normals.col(0) *= -1.0;
   if (image.eyes.rows() > 0) image.eyes.col(0) *= -1.0;
+  if (image.seen_from.rows() > 0) image.seen_from.col(0) *= -1.0;
   return image;
 }
 

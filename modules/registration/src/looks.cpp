@@ -25,6 +25,7 @@ LabelledCloud joined(const std::vector<LabelledCloud>& looks, const LookMotions&
   LabelledCloud all;
   const bool normals = all_have(looks, [](const LabelledCloud& look) { return look.normals.rows() > 0; });
   const bool sigma = all_have(looks, [](const LabelledCloud& look) { return !look.sigma.empty(); });
+  const bool moved = !all_have(looks, [](const LabelledCloud& look) { return look.seen_from.rows() == 0; });
   const bool marked = !all_have(looks, [](const LabelledCloud& look) { return look.features.empty(); });
   Eigen::Index count = 0;
   for (std::size_t k = 0; k < looks.size(); ++k) {
@@ -36,6 +37,7 @@ LabelledCloud joined(const std::vector<LabelledCloud>& looks, const LookMotions&
   }
   all.points.resize(count, 3);
   if (normals) all.normals.resize(count, 3);
+  if (moved) all.seen_from.resize(count, 3);
   all.eyes = Points::Zero(static_cast<Eigen::Index>(looks.size()), 3);
   Eigen::Index at = 0;
   for (std::size_t k = 0; k < looks.size(); ++k) {
@@ -43,6 +45,7 @@ LabelledCloud joined(const std::vector<LabelledCloud>& looks, const LookMotions&
     all.points.middleRows(at, look.size()) = look.points;
     if (normals) all.normals.middleRows(at, look.size()) = look.normals;
     for (int i = 0; i < look.size(); ++i) {
+      if (moved) all.seen_from.row(at + i) = look.eye(i).transpose();
       if (marked) all.features.push_back(look.feature(i));
       if (sigma) all.sigma.push_back(look.sigma[static_cast<std::size_t>(i)]);
       all.looks.push_back(static_cast<int>(k));
@@ -66,6 +69,9 @@ void move_looks(const LabelledCloud& still, const LookMotions& motions, Labelled
     moved.points.row(i) =
         (motion.rotation * still.points.row(i).transpose() + motion.translation).transpose();
     if (still.normals.rows() > 0) moved.normals.row(i) = still.normals.row(i) * motion.rotation.transpose();
+    if (still.seen_from.rows() > 0)
+      moved.seen_from.row(i) =
+          (motion.rotation * still.seen_from.row(i).transpose() + motion.translation).transpose();
   }
   for (Eigen::Index k = 0; k < still.eyes.rows(); ++k) {
     const auto& motion = motions[static_cast<std::size_t>(k)];

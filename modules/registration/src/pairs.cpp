@@ -33,6 +33,8 @@ void check(const LabelledCloud& cloud) {
     throw InputError("cloud", "labels", "there are not as many as points", "Give one a point, or none");
   require(cloud.looks.empty() ? cloud.eyes.rows() <= 1 : cloud.looks.size() == n && cloud.eyes.rows() > 0,
           "every point of joined looks is of one look, and each look has an eye");
+  require(cloud.seen_from.rows() == 0 || cloud.seen_from.rows() == cloud.points.rows(),
+          "every point that a moving camera saw has its eye");
   if (!cloud.sigma.empty() && cloud.sigma.size() != n)
     throw InputError("cloud", "sigma", "there are not as many as points", "Give one a point, or none");
 }

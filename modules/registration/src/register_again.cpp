@@ -43,17 +43,20 @@ struct Parted {
   Points kept_out;
 };
 
-Parted part(const LabelledCloud& cloud, const Points& tissue) {
-  std::vector<Eigen::Index> fitted, kept;
-  for (Eigen::Index i = 0; i < tissue.rows(); ++i)
-    (is_kept_out(tissue.row(i).transpose()) ? kept : fitted).push_back(i);
+Parted part(const LabelledCloud& cloud, const LabelledCloud& tissue) {
+  std::vector<int> fitted, kept;
+  for (int i = 0; i < tissue.size(); ++i)
+    (is_kept_out(tissue.points.row(i).transpose()) ? kept : fitted).push_back(i);
   const auto before = static_cast<Eigen::Index>(cloud.size()),
              more = static_cast<Eigen::Index>(fitted.size());
   Parted parted;
   parted.fitted.points.resize(before + more, 3);
   parted.fitted.points.topRows(before) = cloud.points;
+  parted.fitted.points.bottomRows(more) = tissue.points(fitted, Eigen::all);
+  parted.fitted.seen_from.resize(before + more, 3);
+  for (int i = 0; i < cloud.size(); ++i) parted.fitted.seen_from.row(i) = cloud.eye(i).transpose();
   for (Eigen::Index i = 0; i < more; ++i)
-    parted.fitted.points.row(before + i) = tissue.row(fitted[static_cast<std::size_t>(i)]);
+    parted.fitted.seen_from.row(before + i) = tissue.eye(fitted[static_cast<std::size_t>(i)]).transpose();
   const auto all = static_cast<std::size_t>(before + more);
   if (!cloud.features.empty()) {
     parted.fitted.features = cloud.features;
@@ -63,9 +66,7 @@ Parted part(const LabelledCloud& cloud, const Points& tissue) {
     parted.fitted.sigma = cloud.sigma;
     parted.fitted.sigma.resize(all, kTissueSigma);
   }
-  parted.kept_out.resize(static_cast<Eigen::Index>(kept.size()), 3);
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    parted.kept_out.row(static_cast<Eigen::Index>(i)) = tissue.row(kept[i]);
+  parted.kept_out = tissue.points(kept, Eigen::all);
   return parted;
 }
 
@@ -104,12 +105,12 @@ bool has_new_doubt(const Registration& now, const Registration& former) {
   });
 }
 
-void check(const PatientModel& model, const Points& tissue, const Registration& former) {
+void check(const PatientModel& model, const LabelledCloud& tissue, const Registration& former) {
   if (former.nodes_in_camera.rows() != model.mesh.vertex_count() || !former.nodes_in_camera.allFinite())
     throw InputError("registration", "the former one", "is not of this model", "Register from the start");
-  if (tissue.rows() < kLeastTissue)
+  if (tissue.size() < kLeastTissue)
     throw InputError("registration", "tissue",
-                     "has been seen at " + std::to_string(tissue.rows()) + " places only, where " +
+                     "has been seen at " + std::to_string(tissue.size()) + " places only, where " +
                          std::to_string(kLeastTissue) + " are needed",
                      "Follow the organ for a second and show more of it");
 }
@@ -117,7 +118,7 @@ void check(const PatientModel& model, const Points& tissue, const Registration& 
 }  // namespace
 
 Cancellable<RegisteredAgain> register_again(const PatientModel& model, const LabelledCloud& cloud,
-                                            const PointsIn<CameraFrame>& tissue, const Registration& former,
+                                            const LabelledCloud& tissue, const Registration& former,
                                             RegisterOptions options, const RunContext& context,
                                             const KnownOperations& known) {
   check(model, tissue, former);

@@ -64,9 +64,9 @@ class Follower {
   virtual void set_mask_network(const std::filesystem::path& network);
   /// How the mask network does; empty: there is none.
   virtual std::optional<MaskStatus> mask_status() const { return {}; }
-  /// Where the tissue has been seen since, all looks joined in that moment: left camera's frame, metres.
-  /// Null: not known yet.
-  virtual std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() { return nullptr; }
+  /// Where the tissue has been seen since, and from where, all looks joined in that moment: left camera's
+  /// frame, metres. Null: not known yet.
+  virtual std::shared_ptr<const LabelledCloud> tissue_at_start() { return nullptr; }
 };
 /// Makes a follower from the state. @pre nothing is in the command's way (obstacle.h). @throws Error the
 /// mechanics cannot be made, a calibration of other pictures.

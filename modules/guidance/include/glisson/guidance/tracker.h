@@ -111,8 +111,8 @@ class Tracker {
   ///   there, one that is not of this model, not finite or inside out; nothing has changed.
   OverlayFrame take(const Registration& registration);
   /// Where fresh stereo has seen the tissue since begin(), all looks joined in the moment of `start`: its
-  /// left camera's frame, metres. Null: three looks have not yet been had.
-  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() const;
+  /// left camera's frame, metres, and from where it was seen. Null: three looks have not yet been had.
+  std::shared_ptr<const LabelledCloud> tissue_at_start() const;
 
  private:
   struct Impl;

@@ -25,11 +25,15 @@ struct LabelledCloud {
   /// do not hold them.
   std::vector<int> looks;
   PointsIn<CameraFrame> eyes;  ///< the left camera's centre in each look; no rows: one look, from the origin
+  /// The same for each point, where one look was had by a camera that moved: tissue that was followed. No
+  /// rows: `eyes`. Files do not hold them.
+  PointsIn<CameraFrame> seen_from;
 
   int look(int i) const { return looks.empty() ? 0 : looks[static_cast<std::size_t>(i)]; }
   int look_count() const { return eyes.rows() == 0 ? 1 : static_cast<int>(eyes.rows()); }
   /// Where the camera was that saw point i.
   Eigen::Vector3d eye(int i) const {
+    if (seen_from.rows() > 0) return seen_from.row(i).transpose();
     return eyes.rows() == 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero())
                             : Eigen::Vector3d(eyes.row(look(i)).transpose());
   }

@@ -24,11 +24,12 @@ struct RegisteredAgain {
 /// neighbour tells of it) is kept out of the fit. The start is sought near the former one; with fixed nodes
 /// it is the former one.
 /// @param cloud of the first registration; empty: there is none.
-/// @param tissue all looks joined in the moment and frame of that cloud: left camera, metres.
+/// @param tissue all looks joined in the moment and frame of that cloud: left camera, metres. Its surface
+///   shows its face to where each place was seen from (`seen_from`).
 /// @param options as for register_model; their start is not used.
 /// @throws InputError fewer than 30 places of tissue, `former` is not of this model; as register_model.
 Cancellable<RegisteredAgain> register_again(const PatientModel& model, const LabelledCloud& cloud,
-                                            const PointsIn<CameraFrame>& tissue, const Registration& former,
+                                            const LabelledCloud& tissue, const Registration& former,
                                             RegisterOptions options, const RunContext& context,
                                             const KnownOperations& known = {});
 

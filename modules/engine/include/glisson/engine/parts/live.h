@@ -22,7 +22,7 @@ struct LiveState {
   std::vector<CorrectionMade> corrections;  ///< by hand, that stand; the oldest first
   std::optional<MaskStatus> mask;           ///< empty: no network masks what is not liver
   /// Where the tissue has been seen since tracking began (Follower::tissue_at_start); null: not yet.
-  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start;
+  std::shared_ptr<const LabelledCloud> tissue_at_start;
 };
 
 namespace part {
