@@ -6898,6 +6898,10 @@
         <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>
         <translation>Der Fall wurde ohne einen aufgehobenen Moment geöffnet, der nicht gelesen werden kann. Die anderen sind da. (%*)</translation>
     </message>
+    <message>
+        <source>The written file&apos;s format holds places only, none of these doubts: name it .vtp or .vtk and they go along.</source>
+        <translation>Das Format der geschriebenen Datei enthält nur Orte, keinen dieser Zweifel: Als .vtp oder .vtk benannt nimmt sie sie mit.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

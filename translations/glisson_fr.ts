@@ -6898,6 +6898,10 @@
         <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>
         <translation>Le cas a été ouvert sans un instant conservé, qui ne peut pas être lu. Les autres sont là. (%*)</translation>
     </message>
+    <message>
+        <source>The written file&apos;s format holds places only, none of these doubts: name it .vtp or .vtk and they go along.</source>
+        <translation>Le format du fichier écrit ne contient que des positions, aucun de ces doutes : nommé .vtp ou .vtk, il les emporte.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

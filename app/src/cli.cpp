@@ -400,6 +400,14 @@ void Session::tell(const Figures& more) {
   for (const auto& [key, value] : more) figures[key] = value;
 }
 
+void Session::attempt(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (...) {
+    if (!failure_) failure_ = std::current_exception();
+  }
+}
+
 void Session::finish() {
   figures["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   for (const std::string& note : notes) say(Cli::tr("note: ") + ui::note_text(note));
@@ -411,6 +419,7 @@ void Session::finish() {
   for (const auto& [key, value] : texts)
     say(QString("%1 %2").arg(QString::fromStdString(key), -36).arg(QString::fromStdString(value)));
   if (arguments_.has("json")) write_figures(arguments_.path("json"), figures, texts);
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 OutputFolder::OutputFolder(const fs::path& wanted)

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -139,7 +140,10 @@ class Session {
 
   /// Among the figures from now on; those that are there already are replaced.
   void tell(const Figures& more);
-  /// Prints the figures, and writes them where --json says, with `seconds`.
+  /// Does what may fail where the work is safe already (a comparison with a truth, one more file): all is
+  /// told before finish() throws the error.
+  void attempt(const std::function<void()>& work);
+  /// Prints the figures, and writes them where --json says, with `seconds`. @throws what attempt() met first.
   void finish();
 
  private:
@@ -150,6 +154,7 @@ class Session {
   engine::Script script_;
   std::chrono::steady_clock::time_point begin_;
   Log log_;
+  std::exception_ptr failure_;  ///< that finish() throws
 };
 
 /// Whether two paths are one file, or will be.

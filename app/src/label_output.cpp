@@ -24,19 +24,21 @@ LabelOutput::LabelOutput(const Arguments& arguments) : arguments_(arguments) {
   truth_codes_ = codes_of(arguments, "truth-codes");
 }
 
+void LabelOutput::compare(Session& session) const {
+  const LabelMap& labels = *session.state()[part::labels];
+  const std::filesystem::path path = arguments_.path("truth");
+  const LabelFile file = read_labels(path);
+  require_same_grid(file.voxels.grid(), labels.voxels.grid(), path.string());
+  session.figures.merge(
+      segmentation::compare_labels(labels, truth_codes_.empty() ? LabelMap{file.voxels, file.infos}
+                                                                : recode(file, truth_codes_, path.string())));
+}
+
 void LabelOutput::finish(Session& session) const {
   save_case(arguments_, session);
-  if (arguments_.has("labels-out")) engine::write_case_labels(arguments_.path("labels-out"), session.state());
-  // After the work is safe: a truth that cannot be compared does not take it along.
-  if (arguments_.has("truth")) {
-    const LabelMap& labels = *session.state()[part::labels];
-    const std::filesystem::path path = arguments_.path("truth");
-    const LabelFile file = read_labels(path);
-    require_same_grid(file.voxels.grid(), labels.voxels.grid(), path.string());
-    session.figures.merge(segmentation::compare_labels(
-        labels, truth_codes_.empty() ? LabelMap{file.voxels, file.infos}
-                                     : recode(file, truth_codes_, path.string())));
-  }
+  if (arguments_.has("labels-out"))
+    session.attempt([&] { engine::write_case_labels(arguments_.path("labels-out"), session.state()); });
+  if (arguments_.has("truth")) session.attempt([&] { compare(session); });
   session.finish();
 }
 

@@ -16,10 +16,13 @@ class LabelOutput {
  public:
   /// Looks at the arguments before the work. @throws UsageError, FileError.
   explicit LabelOutput(const Arguments& arguments);
-  /// Saves and compares; the session is finished.
+  /// Saves and compares; the session is finished. @throws as Session::finish().
   void finish(Session& session) const;
 
  private:
+  /// With the truth. @throws InputError it cannot be compared.
+  void compare(Session& session) const;
+
   const Arguments& arguments_;
   LabelCodes truth_codes_;
 };

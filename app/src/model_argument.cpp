@@ -70,7 +70,9 @@ void write_deformed(const fs::path& path, const ModelArgument& argument, const S
     engine::write_registration(path, model, registration, argument.unit, said);
     return;
   }
-  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit, said);
+  NamedArrays fields = engine::registration_fields(registration);
+  for (const auto& [name, array] : said) fields[name] = array;
+  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit, fields);
 }
 
 void declare_materials(Arguments& arguments) {

@@ -149,19 +149,21 @@ int run_model(const QStringList& given) {
   say_stiffness(arguments, session);
   save_case(arguments, session);
   // The model is safe by now, whatever comes of the rest.
-  const bool whole = until_interrupted([&] {
-    if (arguments.has("operations")) {
-      session.post(engine::SimulateOperations{});
-      save_case(arguments, session);
-    }
-    write_files(arguments, session, ending);
+  session.attempt([&] {
+    const bool whole = until_interrupted([&] {
+      if (arguments.has("operations")) {
+        session.post(engine::SimulateOperations{});
+        save_case(arguments, session);
+      }
+      write_files(arguments, session, ending);
+    });
+    if (!whole)
+      throw Interrupted(Cli::tr("cancelled; %1 holds what was done before.").arg(arguments.value("case")));
+    if (arguments.has("truth"))
+      session.figures.merge(
+          experiments::surface_figures(session.state()[part::model]->model.surface.mesh,
+                                       read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   });
-  if (!whole)
-    throw Interrupted(Cli::tr("cancelled; %1 holds what was done before.").arg(arguments.value("case")));
-  if (arguments.has("truth"))
-    session.figures.merge(
-        experiments::surface_figures(session.state()[part::model]->model.surface.mesh,
-                                     read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   session.finish();
   return 0;
 }

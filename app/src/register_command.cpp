@@ -7,6 +7,7 @@
 #include "cli.h"
 #include "commands.h"
 #include "exit_code.h"
+#include "glisson/core/files.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/forget_looks.h"
@@ -123,6 +124,13 @@ engine::Register command_of(const Arguments& arguments, const Session& session, 
   return command;
 }
 
+/// What --out may end in: of a model made of one surface, and of all others.
+QStringList surface_endings() { return {".vtp", ".vtk", ".stl", ".obj", ".ply"}; }
+QStringList mesh_endings() { return {".vtu", ".vtk"}; }
+
+/// Whether a file of this name can say more than where its points are.
+bool holds_fields(const fs::path& file) { return lower_extension(file).starts_with(".vt"); }
+
 std::optional<int> rival_of(const Arguments& arguments) {
   if (!arguments.has("rival")) return {};
   return arguments.integer("rival", 1, 99);
@@ -174,7 +182,7 @@ int run_register(const QStringList& given) {
           "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
   declare_register(arguments);
   if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.output_file("out", {".vtu", ".vtk", ".vtp", ".stl", ".obj", ".ply"});
+  const fs::path out = arguments.output_file("out", mesh_endings() + surface_endings());
   const fs::path report =
       arguments.has("report") ? arguments.output_file("report", {".html", ".htm"}) : fs::path();
   const fs::path cloud = arguments.required_path("cloud");
@@ -183,6 +191,7 @@ int run_register(const QStringList& given) {
   arguments.require_existing("truth");
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
+  arguments.output_file("out", argument.surface ? surface_endings() : mesh_endings());
   const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
   bring_clouds(arguments, session, cloud, unit);
   say_stiffness(arguments, session);
@@ -191,10 +200,13 @@ int run_register(const QStringList& given) {
   const bool refused = registration::is_refused(registration);
   session.texts["registration_ended"] = registration::ending_code(registration);
   if (!refused) write_deformed(out, argument, session, registration);
-  // After the work is safe: a truth that cannot be compared does not take it along.
-  if (arguments.has("truth")) compare_with_truth(arguments, session, argument.unit);
+  if (!refused && !registration.doubts.empty() && !holds_fields(out))
+    session.notes.emplace_back("registration.doubts_not_in_file");
+  if (arguments.has("truth")) session.attempt([&] { compare_with_truth(arguments, session, argument.unit); });
   if (!report.empty())
-    write_report(report, argument.path.filename().string() + ", " + cloud.filename().string(), session);
+    session.attempt([&] {
+      write_report(report, argument.path.filename().string() + ", " + cloud.filename().string(), session);
+    });
   session.finish();
   if (!refused) return kDone;
   say(Cli::tr(

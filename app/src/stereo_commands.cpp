@@ -292,11 +292,12 @@ void tell_cloud(const Arguments& arguments, Session& session) {
   if (arguments.has("density"))
     stereo::write_picture(arguments.path("density"),
                           stereo::density_picture(density, session.state()[part::frame]->frame.left));
-  // After the work is safe: a truth that cannot be compared does not take it along.
   if (arguments.has("truth"))
-    session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
-                                                     session.state()[part::rig]->left,
-                                                     arguments.path("truth"), arguments.unit("unit")));
+    session.attempt([&] {
+      session.figures.merge(experiments::cloud_figures(*session.state()[part::cloud],
+                                                       session.state()[part::rig]->left,
+                                                       arguments.path("truth"), arguments.unit("unit")));
+    });
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
@@ -123,6 +125,20 @@ Figures figures_of(const Registration& registration) {
   figures["registration_refused"] = registration::is_refused(registration) ? 1.0 : 0.0;
   figures["registration_doubts"] = static_cast<double>(registration.doubts.size());
   return figures;
+}
+
+std::vector<std::string> notes_of(const CaseState& state, const PatientModel& model,
+                                  const registration::RegisterOptions& options,
+                                  const registration::ExaminedRegistration& examined) {
+  std::vector<std::string> notes = examined.cloud_faults.notes();
+  const auto add = [&notes](std::vector<std::string> more) {
+    notes.insert(notes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  for (const Label gone : fem::lesions_not_there(options.tissue, model))
+    notes.push_back("tissue.no_lesion " + structure_name(gone));
+  add(landmark_notes(state));
+  add(registration::look_notes(model, examined.registered.registration));
+  return notes;
 }
 
 std::vector<std::string> told_of(const Registration& registration) {

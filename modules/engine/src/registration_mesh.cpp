@@ -20,26 +20,30 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kDoubt = "doubt_";
+const std::string kDoubts = "doubts";               ///< how many
+constexpr double kNoValue = -1.0;                   ///< of a doubt: values are not negative
 const std::string kTermination = "termination_";    ///< before its code
 const std::string kCovariance = "_covariance_mm2";  ///< behind a lesion's or a fork's name
 const std::string kFork = "_centre_radius_mm";      ///< behind a fork's name
 
 Eigen::MatrixXd number(double value) { return Eigen::MatrixXd::Constant(1, 1, value); }
 
-/// What the registration says of itself, so that it is not lost on the way: a doubt is a field of its own
-/// name.
-void write_report(const Registration& registration, NamedArrays& fields) {
+}  // namespace
+
+NamedArrays registration_fields(const Registration& registration) {
+  NamedArrays fields;
   fields["residual_mm"] = number(1e3 * registration.residual);
   fields["seen_share"] = number(registration.seen_share);
   fields["converged"] = number(registration.termination == Termination::converged ? 1.0 : 0.0);
   fields[kTermination + termination_code(registration.termination)] = number(1.0);
+  fields[kDoubts] = number(static_cast<double>(registration.doubts.size()));
   for (const std::string& doubt : registration.doubts) {
     std::istringstream words(doubt);
     std::string code;
     words >> code;
     std::vector<double> values;
     for (double value = 0.0; words >> value;) values.push_back(value);
-    fields[kDoubt + code] = values.empty() ? number(1.0)
+    fields[kDoubt + code] = values.empty() ? number(kNoValue)
                                            : Eigen::MatrixXd(Eigen::Map<const Eigen::RowVectorXd>(
                                                  values.data(), static_cast<Eigen::Index>(values.size())));
   }
@@ -51,7 +55,10 @@ void write_report(const Registration& registration, NamedArrays& fields) {
     place << 1e3 * fork.centre.transpose(), 1e3 * fork.radius;
     fields[fork_name(fork) + kFork] = place;
   }
+  return fields;
 }
+
+namespace {
 
 /// @throws InputError it is no covariance.
 Eigen::Matrix3d covariance_of(const fs::path& path, const std::string& name, const Eigen::MatrixXd& values) {
@@ -192,10 +199,11 @@ void read_places(const fs::path& path, const TetFile& file, Registration& regist
   }
 }
 
-std::string doubt_of(const std::string& code, const Eigen::MatrixXd& values) {
+/// @param no_value what says that a doubt has none.
+std::string doubt_of(const std::string& code, const Eigen::MatrixXd& values, double no_value) {
   std::ostringstream doubt;
   doubt << code;
-  if (values.size() > 1)
+  if (values.size() > 1 || values.reshaped()[0] != no_value)
     for (Eigen::Index k = 0; k < values.size(); ++k) doubt << ' ' << values.reshaped()[k];
   return doubt.str();
 }
@@ -216,8 +224,10 @@ void read_report(const NamedArrays& fields, Registration& registration) {
   registration.residual = 1e-3 * value("residual_mm", 0.0);
   registration.seen_share = value("seen_share", 0.0);
   registration.termination = read_termination(fields, value("converged", 1.0) != 0.0);
+  const double no_value = fields.contains(kDoubts) ? kNoValue : 1.0;  // 1 in files of before
   for (const auto& [name, array] : fields)
-    if (name.starts_with(kDoubt)) registration.doubts.push_back(doubt_of(name.substr(kDoubt.size()), array));
+    if (name.starts_with(kDoubt) && array.size() > 0)
+      registration.doubts.push_back(doubt_of(name.substr(kDoubt.size()), array, no_value));
 }
 
 }  // namespace
@@ -225,13 +235,13 @@ void read_report(const NamedArrays& fields, Registration& registration) {
 void write_registration(const fs::path& path, const PatientModel& model, const Registration& registration,
                         LengthUnit unit, const NamedArrays& said) {
   TetFile file;
-  file.field_data = said;
+  file.field_data = registration_fields(registration);
+  for (const auto& [name, array] : said) file.field_data[name] = array;
   file.mesh = model.mesh;
   file.mesh.vertices = registration.nodes_in_camera;
   Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
   matrix.topRightCorner<3, 1>() /= metres_per(unit);
   file.field_data["cloud_from_model"] = matrix;
-  write_report(registration, file.field_data);
   file.point_data[std::string("displacement_") + unit_code(unit)] =
       (registration.nodes_in_camera - registration.camera_from_ct.apply(model.mesh.vertices)) /
       metres_per(unit);

@@ -109,7 +109,8 @@ Cancellable<Findings> examine(const Examined& examined, const RunContext& contex
   findings.decided = error.decided();
   findings.size = error.size().value;
   findings.size_sigma = error.size().sigma;
-  findings.expected = error.expected().mean();
+  const Eigen::VectorXd& told = examined.registration.expected;
+  findings.expected = told.size() > 0 ? told.mean() : error.expected().mean();
   MovingSurface surface(examined.model, SurfaceDetail::fine);
   const Points& final_nodes = examined.registration.nodes_in_camera;
   surface.move(final_nodes);

@@ -150,6 +150,17 @@ void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::V
   }
 }
 
+/// Looks by the same measure as the lesions' errors.
+void size_looks(const std::vector<LesionError>& lesions, std::vector<LesionLooks>& looks) {
+  for (LesionLooks& look : looks)
+    for (const LesionError& lesion : lesions) {
+      if (lesion.lesion != look.lesion || !(look.now > 0.0)) continue;
+      const double factor = lesion.expected / look.now;
+      look.now *= factor, look.margin *= factor, look.notch *= factor;
+      look.seen *= factor;
+    }
+}
+
 /// Each doubt once: the rigid start and the elastic stages may share one.
 void tell_once(std::vector<std::string>& doubts) {
   std::vector<std::string> told;
@@ -395,6 +406,7 @@ class Run {
     // Around a place that is contradicted there is nothing to look for.
     if (!is_refused(registration_))
       registration_.looks = looks_of(model_, cloud_, registration_, *examined_.error, context_.quiet());
+    if (has_own_errors()) size_looks(examined_.lesions, registration_.looks);
     if (context_.cancelled()) return false;
     tell_of_places(std::move(rivals));
     result().displacement =
@@ -403,11 +415,14 @@ class Run {
     return true;
   }
 
+  /// Whether the found forces' posterior tells the errors.
+  bool has_own_errors() const { return examined_.registered.forces && !elastic_.prior && knows_pose(); }
+
   /// What is expected of nodes and lesions. Where supports are known and forces were found, their own
   /// posterior is the nearer one. It takes the pose for known.
   void take_errors() {
     const std::optional<ContactForceFit>& forces = result().forces;
-    const bool has_own = forces && !elastic_.prior && knows_pose();
+    const bool has_own = has_own_errors();
     registration_.expected = has_own ? forces->expected_error : examined_.error->expected();
     registration_.covariances = examined_.error->node_covariances();
     if (has_own && forces->expected_error.size() == registration_.covariances.rows()) {

@@ -44,8 +44,11 @@ void write_carried_surface(const fs::path& path, const TriangleMesh& surface, co
                            const Registration& registration, LengthUnit unit, const NamedArrays& said) {
   TriangleFile file;
   file.mesh = surface;
-  file.mesh.vertices =
-      bind_points(model.mesh, surface.vertices, false).apply(model.mesh, registration.nodes_in_camera);
+  const Binding binding = bind_points(model.mesh, surface.vertices, false);
+  file.mesh.vertices = binding.apply(model.mesh, registration.nodes_in_camera);
+  if (registration.expected.size() > 0)
+    file.point_data["expected_error_mm"] =
+        1e3 * binding.apply(model.mesh, registration.expected.replicate<1, 3>()).col(0).cwiseMax(0.0);
   Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
   matrix.topRightCorner<3, 1>() /= metres_per(unit);
   file.field_data = said;

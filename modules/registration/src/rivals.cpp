@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/registration/rivals.h"
-#include "glisson/registration/pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/patient/sound_cloud.h"
 #include "glisson/registration/forks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
@@ -89,8 +89,11 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
   place_forks(model, chosen);
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(chosen.nodes_in_camera);
-  chosen.seen_share = seen_share(surface.mesh(), cloud.points);
-  chosen.residual = summarise(distances_to_surface(cloud.points, surface.mesh())).mean;
+  CloudFaults known;  // told when it was registered
+  const PointsIn<CameraFrame> points = sound_cloud(cloud, true, known).points;
+  // Of several joined looks the cloud is one: together they see more.
+  chosen.seen_share = std::max(registration.seen_share, seen_share(surface.mesh(), points));
+  chosen.residual = summarise(distances_to_surface(points, surface.mesh())).mean;
   std::erase_if(chosen.doubts, [](const std::string& doubt) {
     return doubt.starts_with("rival_chosen") || doubt == "residual_large" || doubt == "little_surface_seen";
   });

@@ -239,6 +239,9 @@ class Notes {
         {"look.notch", tr("%1: mark the umbilical notch, which is seen. Expected error then %3 mm instead of "
                           "%2 mm.")},
         {"refused", tr("The registration was refused: what is known contradicts it.")},
+        {"registration.doubts_not_in_file", tr("The written file's format holds places only, none of these "
+                                               "doubts: name it .vtp or .vtk and they "
+                                               "go along.")},
         {"refusal_accepted", tr("The registration was refused, and somebody uses it nevertheless.")},
         {"pull_not_at_rest", tr("The organ was still moving towards the points after the last step.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},

@@ -6,6 +6,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/tissue.h"
+#include "registration_figures.h"
 
 namespace glisson::engine {
 
@@ -22,6 +23,7 @@ Cancellable<Applied> ImportRegistration::apply(const CaseState& state, const Run
   applied.state[part::former_registration] = nullptr;  // that came from elsewhere, too
   applied.state[part::registration] =
       std::make_shared<const Registration>(read_registration(path, state[part::model]->model, unit));
+  applied.notes = told_of(*applied.state[part::registration]);
   return applied;
 }
 

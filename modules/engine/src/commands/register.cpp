@@ -2,10 +2,7 @@
 #include "glisson/engine/commands/register.h"
 
 #include <cstdint>
-#include <iterator>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
@@ -18,26 +15,10 @@
 #include "glisson/engine/parts/tissue.h"
 #include "glisson/engine/register_options.h"
 #include "glisson/registration/examined_registration.h"
-#include "glisson/registration/next_look.h"
 #include "registration_figures.h"
 
 namespace glisson::engine {
 namespace {
-
-/// Besides its doubts.
-std::vector<std::string> notes_of(const CaseState& state, const PatientModel& model,
-                                  const registration::RegisterOptions& options,
-                                  const registration::ExaminedRegistration& examined) {
-  std::vector<std::string> notes = examined.cloud_faults.notes();
-  const auto add = [&notes](std::vector<std::string> more) {
-    notes.insert(notes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  for (const Label gone : fem::lesions_not_there(options.tissue, model))
-    notes.push_back("tissue.no_lesion " + structure_name(gone));
-  add(landmark_notes(state));
-  add(registration::look_notes(model, examined.registered.registration));
-  return notes;
-}
 
 Cancellable<registration::ExaminedRegistration> made_with_notes(const CaseState& state,
                                                                 const PatientModel& model,

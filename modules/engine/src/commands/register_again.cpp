@@ -34,9 +34,12 @@ Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
   if (!seen)
     throw InputError("registration", "tissue", "has not been seen often enough yet",
                      "Follow the organ in a stereo video for a second");
-  return registration::register_again(effective_model(state), cloud_of(state), *seen,
-                                      *state[part::registration], options_of(state, options), context,
-                                      known_operations(state, context.seed()));
+  const PatientModel model = effective_model(state);
+  const registration::RegisterOptions made_by = options_of(state, options);
+  auto again = registration::register_again(model, cloud_of(state), *seen, *state[part::registration],
+                                            made_by, context, known_operations(state, context.seed()));
+  if (again) again->examined.registered.registration.notes = notes_of(state, model, made_by, again->examined);
+  return again;
 }
 
 Figures figures_of(const registration::RegisteredAgain& again) {
@@ -72,7 +75,7 @@ CommandTraits RegisterAgain::traits() const {
 Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunContext& context) const {
   auto again = registered(state, *this, context);
   if (!again) return {};
-  Applied applied{state, figures_of(*again), again->examined.registered.registration.doubts};
+  Applied applied{state, figures_of(*again), told_of(again->examined.registered.registration)};
   applied.state[part::other_registration] =
       std::make_shared<const OtherRegistration>(other_of(std::move(*again)));
   return applied;

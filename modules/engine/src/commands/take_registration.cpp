@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/refusal.h"
+#include "registration_figures.h"
 #include "seen.h"
 
 namespace glisson::engine {
@@ -58,7 +59,7 @@ Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunCo
   const OtherRegistration& other = other_of(state);
   Applied applied = with_live(state, follower.take(other.registration), follower);
   exchange(applied.state, state, other);
-  applied.notes = other.registration.doubts;
+  applied.notes = told_of(other.registration);
   return applied;
 }
 

@@ -66,12 +66,15 @@ Landmarks read_landmarks(const std::filesystem::path& path);
 /// @throws FileError.
 void write_landmarks(const std::filesystem::path& path, const Landmarks& landmarks);
 
+/// What a registration says of itself, so that it is not lost on the way: `residual_mm`, `seen_share`,
+/// `converged`, `doubts` (how many), `doubt_CODE` for each of them (its values; -1: it has none), and
+/// `lesion_N_covariance_mm2` (3 x 3) for each lesion.
+NamedArrays registration_fields(const Registration& registration);
+
 /// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x
-/// 4, the rigid part, translation in `unit`), and what the registration says of itself: `residual_mm`,
-/// `seen_share`, `converged`, `doubt_CODE` for each of its doubts, and `lesion_N_covariance_mm2` (3 x 3) for
-/// each lesion. At the nodes `expected_error_mm`, `force_n_per_kpa` (where forces act; several at one node as
-/// their sum), and for each rival `rival_K_displacement_mm` (from here to there; the field
-/// `rival_K_probability` beside it).
+/// 4, the rigid part, translation in `unit`), and registration_fields(). At the nodes `expected_error_mm`,
+/// `force_n_per_kpa` (where forces act; several at one node as their sum), and for each rival
+/// `rival_K_displacement_mm` (from here to there; the field `rival_K_probability` beside it).
 /// @param said more field data.
 void write_registration(const std::filesystem::path& path, const PatientModel& model,
                         const Registration& registration, LengthUnit unit, const NamedArrays& said = {});

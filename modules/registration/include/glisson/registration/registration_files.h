@@ -27,7 +27,8 @@ CameraFromCt camera_from_ct_of(Eigen::Matrix4d matrix, LengthUnit unit, const st
 CameraFromCt read_start(const std::filesystem::path& path, LengthUnit unit);
 
 /// A surface of the model, carried by its tetrahedra to where the registration puts them, in its own order
-/// and unit; with `cloud_from_model` (4 x 4, the rigid part) as field data.
+/// and unit; with `cloud_from_model` (4 x 4, the rigid part) as field data and `expected_error_mm` at its
+/// vertices, where the format holds them.
 /// @param said more field data.
 /// @param surface where the model is undeformed, metres.
 /// @throws FileError.
