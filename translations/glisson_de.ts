@@ -5951,6 +5951,14 @@
         <source>Stop tracking first</source>
         <translation>Beenden Sie zuerst die Verfolgung</translation>
     </message>
+    <message>
+        <source>Click it first, or find something else anew</source>
+        <translation>Zuerst anklicken oder etwas anderes neu suchen</translation>
+    </message>
+    <message>
+        <source>Unlock it, or find something else anew</source>
+        <translation>Entsperren oder etwas anderes neu suchen</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -12150,6 +12158,14 @@
     <message>
         <source>Not corrected.</source>
         <translation>Nicht korrigiert.</translation>
+    </message>
+    <message>
+        <source>Locked: this click changes nothing.</source>
+        <translation>Gesperrt: Dieser Klick ändert nichts.</translation>
+    </message>
+    <message>
+        <source>This click changes nothing now. It counts when you segment again.</source>
+        <translation>Dieser Klick ändert jetzt nichts. Er zählt, wenn erneut segmentiert wird.</translation>
     </message>
 </context>
 <context>

@@ -5951,6 +5951,14 @@
         <source>Stop tracking first</source>
         <translation>Arrêtez d&apos;abord le suivi</translation>
     </message>
+    <message>
+        <source>Click it first, or find something else anew</source>
+        <translation>Cliquez-la d&apos;abord, ou recherchez autre chose</translation>
+    </message>
+    <message>
+        <source>Unlock it, or find something else anew</source>
+        <translation>Déverrouillez-la, ou recherchez autre chose</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -12150,6 +12158,14 @@
     <message>
         <source>Not corrected.</source>
         <translation>Non corrigé.</translation>
+    </message>
+    <message>
+        <source>Locked: this click changes nothing.</source>
+        <translation>Verrouillé : ce clic ne change rien.</translation>
+    </message>
+    <message>
+        <source>This click changes nothing now. It counts when you segment again.</source>
+        <translation>Ce clic ne change rien maintenant. Il compte à la prochaine segmentation.</translation>
     </message>
 </context>
 <context>

@@ -227,7 +227,7 @@ int run_calibrate(const QStringList& given) {
     command.options.reference = stereo::read_calibration_for(
         arguments.path("reference"), command.found->width(), command.found->height(), {});
   const auto sheet = session.post(std::move(command)).result.as<engine::CalibrationSheet>();
-  session.notes.clear();  // outliers: the table says them
+  session.notes = stereo::calibration_doubts(sheet->calibration.rig);  // outliers: the table says them
   tell_views(sheet->calibration);
   stereo::write_calibration(out, sheet->calibration.rig);
   if (arguments.has("coverage")) stereo::write_picture(arguments.path("coverage"), sheet->coverage);

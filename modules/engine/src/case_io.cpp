@@ -30,9 +30,17 @@ bool is_kept(const CaseState& state, Part part) {
   return part.type().is_saved() && state.has(part) && (!spec.is_savable || spec.is_savable(state));
 }
 
-json written(const Stamp& stamp) {
+/// Of what a part was made. What it outlives and is never kept, as a video that another computer sends, would
+/// be missed when the case is opened: the part is no longer made from it, as it is not from what was left out
+/// then (free_of_left_out).
+json made_from_of(const CaseState& state, Part part) {
+  const std::vector<Part>& outlived = part.type().spec().outlives;
   json made_from = json::object();
-  for (const auto& [input, revision] : stamp.made_from) made_from[std::string(input.code())] = revision;
+  for (const auto& [input, revision] : state.stamp(part).made_from) {
+    const bool stays_behind = std::ranges::find(outlived, input) != outlived.end() && state.has(input) &&
+                              !is_kept(state, input) && state.stamp(input).revision == revision;
+    if (!stays_behind) made_from[std::string(input.code())] = revision;
+  }
   return made_from;
 }
 
@@ -81,7 +89,7 @@ std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state
     const PartSpec& spec = part.type().spec();
     json entry = taken_over.has(part) ? spec.entry(state) : spec.save(state, folder);
     entry["revision"] = state.stamp(part).revision;
-    entry["made_from"] = written(state.stamp(part));
+    entry["made_from"] = made_from_of(state, part);
     parts[std::string(part.code())] = entry;
   }
   if (folder.context.cancelled()) return {};

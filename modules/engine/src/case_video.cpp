@@ -30,8 +30,10 @@ std::string place_of(const fs::path& video, const fs::path& home) {
   if (video.empty()) return {};
   if (stereo::is_live(video.string())) return video.string();
   const fs::path relative = fs::absolute(video).lexically_normal().lexically_relative(home);
-  const bool beside = !relative.empty() && relative.begin() != relative.end() &&
-                      std::next(relative.begin()) != relative.end() && *std::next(relative.begin()) != "..";
+  // In the case's folder, or in the one that holds it; at most one step up.
+  const auto steps = std::distance(relative.begin(), relative.end());
+  const bool beside =
+      steps == 1 ? relative != "." && relative != ".." : steps > 1 && *std::next(relative.begin()) != "..";
   return beside ? relative.string() : fs::absolute(video).lexically_normal().string();
 }
 

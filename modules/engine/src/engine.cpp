@@ -250,6 +250,14 @@ struct Engine::Impl final : LiveLanes {
     set_tracking(false);
     frame.reset();
   }
+  /// What followed the former case's organ goes, with its memory and its network. Its end may take a while.
+  void let_go_of_former(std::unique_lock<std::mutex>& lock) {
+    if (!follower || current->tracking) return;
+    auto former = std::exchange(follower, nullptr);
+    lock.unlock();
+    former.reset();
+    lock.lock();
+  }
   void set_tracking(bool on) {
     live = {};
     amend([&](Snapshot& now) { now.tracking = on; });
@@ -318,6 +326,7 @@ struct Engine::Impl final : LiveLanes {
   void serve_edits() {
     std::unique_lock lock(mutex);
     while (!stopping) {
+      let_go_of_former(lock);
       if (const auto job = take_ready(Lane::edits)) {
         lock.unlock();
         run(job);
@@ -358,7 +367,8 @@ struct Engine::Impl final : LiveLanes {
     for (;;) {
       std::shared_ptr<Job> job;
       {
-        const std::scoped_lock lock(mutex);
+        std::unique_lock lock(mutex);
+        let_go_of_former(lock);
         if (waiting.empty() || !running.empty()) return;
         job = waiting.front();
         waiting.pop_front();

@@ -31,7 +31,7 @@ SegmentationOffer offer_of(const CaseState& state, const std::set<Label>& edited
   offer.notes = std::move(found.notes);
   offer.base = state[part::labels];
   offer.image = state[part::image];
-  offer.seeds = state[part::seeds];
+  offer.seeds = std::move(found.seeds);
   offer.hand = hand_corrected(state);
   offer.edited = edited;
   offer.difference = label_difference(offer.base->voxels, offer.labels.voxels, offer.hand);

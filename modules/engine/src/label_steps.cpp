@@ -103,10 +103,9 @@ void put_review(CaseState& state, const Review& review) {
   if (review != review_or_none(state)) state[part::review] = std::make_shared<const Review>(review);
 }
 
-void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels,
+void put_edited_labels(CaseState& state, const LabelMap& before, FoundLabels after,
                        const editing::StepName& name, std::uint64_t gesture) {
   const Review review = review_or_none(state);
-  FoundLabels after{std::move(labels), told_of_labels(state)};
   put_review(state, review_after(review, step_to(state, before, std::move(after), name, gesture)));
 }
 

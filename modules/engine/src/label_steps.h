@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ namespace glisson::engine {
 struct FoundLabels {
   LabelMap labels;
   std::vector<std::string> notes;
+  std::shared_ptr<const segmentation::Seeds> seeds = {};  ///< that they were found from; null: from none
 };
 
 /// For errors: "liver, lesion_1".
@@ -44,7 +46,7 @@ void require_labels_fit_image(const CaseState& state);
 void put_review(CaseState& state, const Review& review);
 /// The labels that an edit made of `before`, as one step of the history. What it touched is to be looked at
 /// again.
-void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels,
+void put_edited_labels(CaseState& state, const LabelMap& before, FoundLabels after,
                        const editing::StepName& name, std::uint64_t gesture);
 /// Labels that a whole step made anew. The review is the caller's. @return those of which a voxel changed.
 std::set<Label> replace_labels(CaseState& state, FoundLabels found, const editing::StepName& name);

@@ -419,6 +419,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
                                    contour->own, contour->closed_ground, tumours, likely, clicks,
                                    context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
   if (!whole) return std::nullopt;
+  if (whole->count() == 0) return bodies;  // where the only clicks for and against it lie in one voxel
   auto settled = settle_liver(ct, *whole, *contour, clicks, tumours,
                               context.part(fine ? 0.4 : 0.7, fine ? 0.5 : 1.0), show);
   if (!settled) return std::nullopt;

@@ -242,6 +242,26 @@ std::string number_of(const Click& click, const Seeds& seeds) {
   return std::to_string(points.rows() + 1);
 }
 
+/// What keeps a click from binding: another structure lies there, or what is locked.
+std::optional<std::string> taken_note(const LabelMap& labels, const Click& click, const Seeds& seeds,
+                                      const std::vector<Label>& locked) {
+  const VolumeGrid& grid = labels.voxels.grid();
+  const Eigen::Vector3i voxel = grid.index_of(click.p_in_ct)
+                                    .array()
+                                    .round()
+                                    .matrix()
+                                    .cast<int>()
+                                    .cwiseMax(0)
+                                    .cwiseMin(grid.size - Eigen::Vector3i::Ones());
+  const Label label = labels.voxels.at(voxel);
+  const bool is_taken =
+      label != structure::kBackground &&
+      (click.is_liver ? !is_in_liver(label) : is_in_liver(label) && !is_liver_tissue(label));
+  if (!is_taken && (click.is_liver || !is_among(locked, label))) return {};
+  return std::string(click.is_liver ? "seed.liver_taken " : "seed.not_liver_taken ") +
+         number_of(click, seeds) + " " + structure_name(label);
+}
+
 void check(const Image& image, const LabelMap& labels, const Click& click, const std::vector<Label>& locked) {
   if (image.empty()) throw InputError("image", "", "is empty", "Import a CT or MRI first");
   require_same_grid(labels.voxels.grid(), image.grid, "labels that are corrected");
@@ -272,6 +292,10 @@ Cancellable<CorrectedAround> correct_around(const Image& image, const LabelMap& 
   check(image, labels, click, locked);
   context.progress(0.0, "segmentation.around");
   CorrectedAround result{labels, 0.0, 0, {}};
+  if (auto note = taken_note(labels, click, seeds, locked)) {
+    result.notes.push_back(std::move(*note));
+    return result;
+  }
   const Scene scene = scene_of(image, labels, seeds, click, locked);
   const std::string apart = "seed.liver_apart " + number_of(click, seeds);
   if (scene.liver.count() == 0) {

@@ -55,6 +55,11 @@ bool is_among(const std::vector<Label>& labels, Label label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
+bool is_in_liver(Label label) {
+  return is_liver_tissue(label) || label == structure::kPortalVein || label == structure::kHepaticVeins ||
+         label == structure::kArtery;
+}
+
 void name_structure(Label structure, LabelMap& labels) {
   if (std::none_of(labels.infos.begin(), labels.infos.end(),
                    [&](const LabelInfo& info) { return info.code == structure; }))

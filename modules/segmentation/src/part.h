@@ -33,6 +33,8 @@ std::optional<Eigen::Vector3i> voxel_in(const VolumeGrid& part,
                                         const Eigen::Vector3d& p_in_ct);
 
 bool is_among(const std::vector<Label>& labels, Label label);
+/// Parenchyma and what lies within: vessels, arteries, lesions.
+bool is_in_liver(Label label);
 /// Adds the structure's name to the labels' where it is not there.
 void name_structure(Label structure, LabelMap& labels);
 

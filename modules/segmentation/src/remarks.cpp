@@ -114,11 +114,6 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& f
   }
 }
 
-bool is_in_liver(Label label) {
-  return label == structure::kParenchyma || label == structure::kPortalVein ||
-         label == structure::kHepaticVeins || label == structure::kArtery || is_lesion(label);
-}
-
 /// Tissue that may be a part of the liver as well as another organ, where the labels leave it out.
 void note_doubtful(const Painting& painting, const Doubtful& doubtful, SegmentationReport& report) {
   if (!(doubtful.ml > 0.0)) return;

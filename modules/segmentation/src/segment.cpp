@@ -241,11 +241,28 @@ void SegmentationOptions::validate() const {
                      "Choose 0.3 to 5 mm");
 }
 
-bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds) {
-  return is_anew(found_anew(asked, seeds), seeds, label);
+bool is_found_anew(Label label, const SegmentationOptions& options, const VolumeGrid& grid,
+                   const Seeds& all_seeds) {
+  const Seeds seeds = part_of(unlocked(all_seeds, options.locked), grid, options.region);
+  return is_anew(found_anew(unlocked(options.structures, options.locked), seeds), seeds, label);
 }
 
 namespace {
+
+/// @throws InputError there is nothing to be done.
+void require_some(const SegmentationOptions& options, const Structures& anew) {
+  std::optional<InputError> first;
+  const Structures open = unlocked(options.structures, options.locked);
+  for (const auto& [code, structure] : kStructureCodes) {
+    if (anew.*structure) return;
+    if (first || !(options.structures.*structure)) continue;
+    first = open.*structure
+                ? InputError("seeds", code, options.region ? "has no point in the region" : "has no point",
+                             "Click it first, or find something else anew")
+                : InputError("labels", code, "is locked", "Unlock it, or find something else anew");
+  }
+  if (first) throw *first;
+}
 
 /// segment() on the scale of a CT. @pre the input is checked.
 Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
@@ -255,6 +272,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   const Image image = part_of(whole, box);
   const Seeds seeds = part_of(unlocked(all_seeds, options.locked), image.grid, options.region);
   const Structures anew = found_anew(unlocked(options.structures, options.locked), seeds);
+  require_some(options, anew);
   std::optional<Kept> kept_part;
   if (all_kept != nullptr) {
     kept_part = Kept{part_of(*all_kept, box), {}};

@@ -144,6 +144,8 @@ const std::vector<const char*>& work_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose another name, or say that it is replaced"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Add one, or leave --correct out"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Unlock it, or click another structure"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Unlock it, or find something else anew"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Click it first, or find something else anew"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click on the branch that is to change"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click farther out on the branch"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Click inside the picture"),

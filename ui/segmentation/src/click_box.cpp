@@ -40,41 +40,53 @@ ClickBox::ClickBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), eng
   };
   connect(&engine_, &EngineBridge::case_changed, this, show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (waiting_.erase(outcome.id) > 0 && waiting_.empty()) tell(outcome);
+    if (waiting_.erase(outcome.id) > 0) tell(outcome);
   });
   show_case();
 }
 
-void ClickBox::correct(Label structure, const Point<CtFrame>& p_in_ct, const segmentation::Seeds& seeds) {
+bool ClickBox::corrects(Label structure) {
   const auto& state = engine_.state();
-  const bool there = state[part::labels] && state[part::image] &&
-                     state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
-  const bool is_liver = structure == structure::kParenchyma || structure == structure::kBackground;
-  if (!at_once_->isChecked() || !there || (!is_liver && !segmentation::grows_around(structure))) return;
-  if (locked_.contains(structure::kParenchyma) || locked_.contains(structure)) return;
-  if (is_being_replaced(engine_, part::labels) || engine_.state()[part::offer]) {
+  if (!state[part::labels]) return false;
+  const bool fits =
+      state[part::image] && state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
+  const bool can_grow = structure == structure::kParenchyma || structure == structure::kBackground ||
+                        segmentation::grows_around(structure);
+  if (locked_.contains(structure::kParenchyma) || locked_.contains(structure))
+    words_->setText(tr("Locked: this click changes nothing."));
+  else if (!at_once_->isChecked() || !fits || !can_grow)
+    words_->setText(tr("This click changes nothing now. It counts when you segment again."));
+  else if (is_being_replaced(engine_, part::labels) || state[part::offer])
     words_->setText(
         tr("New labels are on their way, or wait for your decision: this click changes none now. "
            "It counts when you segment again."));
-    return;
-  }
+  else
+    return true;
+  return false;
+}
+
+void ClickBox::correct(Label structure, const Point<CtFrame>& p_in_ct, const segmentation::Seeds& seeds) {
+  if (!corrects(structure)) return;
+  const bool is_liver = structure == structure::kParenchyma || structure == structure::kBackground;
   engine::CorrectAround command{{}, seeds, {locked_.begin(), locked_.end()}};
   if (is_liver)
     command.clicks.push_back({p_in_ct, structure == structure::kParenchyma});
   else
     command.grown.push_back({structure, p_in_ct});
+  if (waiting_.empty()) told_.clear();
   waiting_.insert(engine_.post(std::move(command)));
   words_->setText(tr("Correcting around the click…"));
 }
 
 void ClickBox::tell(const engine::Outcome& outcome) {
   const auto figure = [&](const char* name) { return outcome.figures.at(name); };
-  if (outcome.status == engine::Status::failed)
-    words_->setText(error_text(outcome.error));
+  if (outcome.status == engine::Status::failed) told_ << error_text(outcome.error);
+  if (outcome.status == engine::Status::done && !outcome.notes.empty()) told_ << notes_text(outcome.notes);
+  if (!waiting_.empty()) return;
+  if (!told_.isEmpty())
+    words_->setText(told_.join(QLatin1Char('\n')));
   else if (outcome.status != engine::Status::done)
     words_->setText(tr("Not corrected."));
-  else if (!outcome.notes.empty())
-    words_->setText(notes_text(outcome.notes));
   else if (figure("voxels_changed") > 0.0)
     words_->setText(tr("Corrected around the click: %1 ml, up to %2 mm from it.")
                         .arg(figure("changed_ml"), 0, 'f', 1)

@@ -3,6 +3,7 @@
 
 #include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/board_series.h"
+#include "glisson/stereo/calibration_io.h"
 
 namespace glisson::engine {
 namespace {
@@ -25,6 +26,7 @@ std::vector<std::string> notes_of(const stereo::Calibration& calibration) {
   for (const stereo::ViewReport& view : calibration.views)
     if (view.outlier)
       notes.push_back((view.used ? "calibration.proposed " : "calibration.outlier ") + view.name);
+  for (std::string& doubt : stereo::calibration_doubts(calibration.rig)) notes.push_back(std::move(doubt));
   return notes;
 }
 

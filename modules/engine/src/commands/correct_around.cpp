@@ -2,12 +2,14 @@
 #include "glisson/engine/commands/correct_around.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
 #include "steps/correct_around.h"
 
@@ -53,13 +55,26 @@ Figures figures_of(const Corrected& made) {
           {"reach_mm", made.reach_mm}};
 }
 
+/// The one that a person has worked on; background: more than one, or what is not liver, of which any label
+/// may have lost voxels.
+Label label_of(const CorrectAround& command) {
+  std::set<Label> worked_on;
+  for (const segmentation::Click& click : command.clicks)
+    worked_on.insert(click.is_liver ? structure::kParenchyma : structure::kBackground);
+  for (const segmentation::StructureClick& click : command.grown) worked_on.insert(click.structure);
+  return worked_on.size() == 1 ? *worked_on.begin() : Label{structure::kBackground};
+}
+
 /// Where nothing changes the labels stay the same edition: a model made of them is not out of date.
 void put(CaseState& state, const CorrectAround& command, Corrected made) {
   if (made.changed == 0) return;
   const auto before = state[part::labels];
-  const Label label =
-      command.clicks.empty() ? command.grown.front().structure : Label{structure::kParenchyma};
-  put_edited_labels(state, *before, std::move(made.labels), step::correct_around.name(label), 0);
+  std::set<Label> grown;
+  for (const segmentation::StructureClick& click : command.grown) grown.insert(click.structure);
+  std::vector<std::string> notes = segmentation::with_kept_notes(
+      told_of_labels(state), [&](Label label) { return !grown.contains(label); }, std::move(made.notes));
+  put_edited_labels(state, *before, {std::move(made.labels), std::move(notes)},
+                    step::correct_around.name(label_of(command)), 0);
 }
 
 }  // namespace

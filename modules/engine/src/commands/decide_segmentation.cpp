@@ -28,12 +28,13 @@ Applied with_offer(const CaseState& state, bool keeps_hand) {
 
 CommandTraits DecideSegmentation::traits() const {
   CommandTraits traits{.code = "decide_segmentation",
-                       .reads = {part::image, part::seeds, part::offer},
+                       .reads = {part::image, part::offer},
                        .writes = labels_and_review(),
                        .needs = {part::offer},
                        .lane = Lane::edits,
                        .notice = Notice::quiet};
   if (choice == Choice::keep_all) traits.writes = {part::offer};
+  if (!seen || seen->seeds) traits.reads.add(part::seeds);
   if (keeps_labels || choice == Choice::keep_hand) traits.reads.add(part::labels);
   return traits;
 }

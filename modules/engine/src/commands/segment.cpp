@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/segment.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "found_labels.h"
@@ -16,19 +15,21 @@ namespace {
 
 Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, const RunContext& context,
                                const Services& services) {
+  const Image& image = *state[part::image];
   const LabelMap* kept = command.keeps_labels() ? state[part::labels].get() : nullptr;
-  auto segmented = segmentation::segment(*state[part::image], *state[part::seeds], command.options, context,
-                                         kept, services.show_evolving);
+  auto segmented = segmentation::segment(image, *state[part::seeds], command.options, context, kept,
+                                         services.show_evolving);
   if (!segmented) return {};
+  // In a region all but lesions is found anew in part.
   const auto is_kept = [&](Label label) {
-    const auto& locked = command.options.locked;
     return kept != nullptr &&
-           (std::ranges::find(locked, label) != locked.end() ||
-            !segmentation::is_found_anew(label, command.options.structures, *state[part::seeds]));
+           ((command.options.region && !is_lesion(label)) ||
+            !segmentation::is_found_anew(label, command.options, image.grid, *state[part::seeds]));
   };
   return FoundLabels{
       std::move(segmented->labels),
-      segmentation::with_kept_notes(told_of_labels(state), is_kept, std::move(segmented->report.notes))};
+      segmentation::with_kept_notes(told_of_labels(state), is_kept, std::move(segmented->report.notes)),
+      state[part::seeds]};
 }
 
 }  // namespace
@@ -36,10 +37,11 @@ Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, c
 std::set<Label> Segment::would_replace(const CaseState& state) const {
   std::set<Label> replaced = edited_by_hand(state);
   for (const Label label : options.locked) replaced.erase(label);
+  const auto& image = state[part::image];
   const auto& seeds = state[part::seeds];
-  if (keeps_labels() && seeds)
+  if (keeps_labels() && image && seeds)
     std::erase_if(replaced, [&](Label label) {
-      return !segmentation::is_found_anew(label, options.structures, *seeds);
+      return !segmentation::is_found_anew(label, options, image->grid, *seeds);
     });
   return replaced;
 }

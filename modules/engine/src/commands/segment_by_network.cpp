@@ -7,7 +7,6 @@
 #include "found_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
-#include "glisson/engine/parts/seeds.h"
 #include "glisson/network/label_network.h"
 #include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
@@ -41,9 +40,8 @@ std::set<Label> SegmentByNetwork::would_replace(const CaseState& state,
 }
 
 CommandTraits SegmentByNetwork::traits() const {
-  // The seeds only so that an offer knows whether they are still those that it was made beside.
   return {.code = "segment_by_network",
-          .reads = {part::image, part::seeds, part::labels},
+          .reads = {part::image, part::labels},
           .writes = labels_and_review(),
           .needs = {part::image}};
 }

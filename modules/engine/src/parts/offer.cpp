@@ -8,7 +8,8 @@
 namespace glisson::engine {
 
 bool SegmentationOffer::fits(const CaseState& state) const {
-  return base == state[part::labels] && image == state[part::image] && seeds == state[part::seeds];
+  return base == state[part::labels] && image == state[part::image] &&
+         (!seeds || seeds == state[part::seeds]);
 }
 
 const PartOf<SegmentationOffer> part::offer{{.code = "offer",

@@ -58,9 +58,6 @@ inline constexpr Codes<bool Structures::*, 6> kStructureCodes = {
 /// None of them.
 inline constexpr Structures kNoStructures = {false, false, false, false, false, false};
 
-/// Whether a label is.
-bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds);
-
 /// What is found anew, where, and how finely.
 struct SegmentationOptions {
   /// Resolution of the liver's contour, 0.3 to 5 mm. Below 2 mm the level set runs at 2 mm first, and its
@@ -79,6 +76,10 @@ struct SegmentationOptions {
   /// @throws InputError naming the option.
   void validate() const;
 };
+
+/// Whether a label is found anew in an image of this grid, at least in the region.
+bool is_found_anew(Label label, const SegmentationOptions& options, const VolumeGrid& grid,
+                   const Seeds& seeds);
 
 /// Volumes, and what a person should look at. The liver's is with vessels and lesions in it.
 struct SegmentationReport {
@@ -105,7 +106,8 @@ using ShowLiver = std::function<void(const LabelVolume& liver)>;
 ///   inside a kept liver take the place of its parenchyma, and leave parenchyma where they are no more.
 /// @param show may be empty.
 /// @throws InputError seeds outside the image, none for the liver (or, when it is kept, no liver in `kept`),
-///   another grid, a region beside the image, not a CT.
+///   none in the region for anything that is asked, or all of it locked, another grid, a region beside the
+///   image, not a CT.
 Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const SegmentationOptions& options,
                                const RunContext& context, const LabelMap* kept = nullptr,
                                const ShowLiver& show = {});

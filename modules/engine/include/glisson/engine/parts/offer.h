@@ -18,10 +18,10 @@ namespace glisson::engine {
 /// are as they were.
 struct SegmentationOffer {
   LabelMap labels;
-  std::shared_ptr<const LabelMap> base;  ///< the labels that it would replace
-  std::shared_ptr<const Image> image;    ///< of which it was made, as the next
-  std::shared_ptr<const segmentation::Seeds> seeds;
-  LabelVolume hand;                     ///< see hand_corrected()
+  std::shared_ptr<const LabelMap> base;              ///< the labels that it would replace
+  std::shared_ptr<const Image> image;                ///< of which it was made, as the next
+  std::shared_ptr<const segmentation::Seeds> seeds;  ///< null: it was made from none
+  LabelVolume hand;                                  ///< see hand_corrected()
   std::set<Label> edited;               ///< labels that a hand has corrected and that would be found anew
   LabelDifference difference;           ///< of `labels` from `base`
   bool keeps_labels = false;            ///< see Segment::keeps_labels()

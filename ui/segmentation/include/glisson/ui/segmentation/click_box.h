@@ -28,11 +28,14 @@ class ClickBox : public QWidget {
   void set_locked(const std::set<Label>& labels) { locked_ = labels; }
 
  private:
+  /// @return whether this click is to correct labels now; else it is said why not.
+  bool corrects(Label structure);
   void tell(const engine::Outcome& outcome);
 
   EngineBridge& engine_;
   std::set<Label> locked_;
   std::set<engine::CommandId> waiting_;
+  QStringList told_;                    ///< errors and notes of the clicks since none was waiting
   std::shared_ptr<const Image> image_;  ///< that the words are about
   QCheckBox* at_once_;
   QLabel* words_;
