@@ -6903,8 +6903,8 @@
         <translation>Der Saatpunkt %1 der Lebervenen hatte keine Wirkung: Im Umkreis von 5 mm wurde kein Ast von ihnen gefunden. In die Mitte einer Vene klicken oder den Saatpunkt entfernen.</translation>
     </message>
     <message>
-        <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>
-        <translation>Der Fall wurde ohne einen aufgehobenen Moment geöffnet, der nicht gelesen werden kann. Die anderen sind da. (%*)</translation>
+        <source>The case was opened without a kept moment, which cannot be read. The others are there. Saved now, the case loses what is left of it. (%*)</source>
+        <translation>Der Fall wurde ohne einen aufgehobenen Moment geöffnet, der nicht gelesen werden kann. Die anderen sind da. Jetzt gespeichert, verliert der Fall, was von ihm übrig ist. (%*)</translation>
     </message>
     <message>
         <source>The written file&apos;s format holds places only, none of these doubts: name it .vtp or .vtk and they go along.</source>
@@ -10380,6 +10380,10 @@
     <message>
         <source>3D Slicer, CustusX or PLUS may follow what is tracked here.</source>
         <translation>3D Slicer, CustusX oder PLUS können dem folgen, was hier verfolgt wird.</translation>
+    </message>
+    <message>
+        <source>The recording is being brought to its end. Then the window closes.</source>
+        <translation>Die Aufnahme wird zu Ende gebracht. Danach schließt sich das Fenster.</translation>
     </message>
 </context>
 <context>

@@ -6903,8 +6903,8 @@
         <translation>Le germe %1 des veines hépatiques n’a eu aucun effet : aucune de leurs branches n’a été trouvée à moins de 5 mm. Cliquez au milieu d’une veine, ou retirez le germe.</translation>
     </message>
     <message>
-        <source>The case was opened without a kept moment, which cannot be read. The others are there. (%*)</source>
-        <translation>Le cas a été ouvert sans un instant conservé, qui ne peut pas être lu. Les autres sont là. (%*)</translation>
+        <source>The case was opened without a kept moment, which cannot be read. The others are there. Saved now, the case loses what is left of it. (%*)</source>
+        <translation>Le cas a été ouvert sans un instant conservé, qui ne peut pas être lu. Les autres sont là. Enregistré maintenant, le cas perd ce qu&apos;il en reste. (%*)</translation>
     </message>
     <message>
         <source>The written file&apos;s format holds places only, none of these doubts: name it .vtp or .vtk and they go along.</source>
@@ -10380,6 +10380,10 @@
     <message>
         <source>3D Slicer, CustusX or PLUS may follow what is tracked here.</source>
         <translation>3D Slicer, CustusX ou PLUS peuvent suivre ce qui est suivi ici.</translation>
+    </message>
+    <message>
+        <source>The recording is being brought to its end. Then the window closes.</source>
+        <translation>L&apos;enregistrement est en cours d&apos;achèvement. La fenêtre se fermera ensuite.</translation>
     </message>
 </context>
 <context>

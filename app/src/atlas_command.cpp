@@ -171,6 +171,9 @@ void refuse_idle_options(const Arguments& arguments, const Action& action) {
     (void)arguments.positionals(1, 1);
   }
   arguments.refuse_idle(QStringLiteral("glisson atlas ") + QLatin1String(action.name), idle);
+  if (arguments.has("fresh")) arguments.refuse_idle(QStringLiteral("--fresh"), {"atlas"});
+  if (arguments.has("case") && std::string_view(action.name) == "show")
+    arguments.refuse_idle(QStringLiteral("--case"), {"atlas"});
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ experiments::DemoOptions options_of(const Arguments& arguments) {
   options.patient = arguments.path("patient");
   if (!options.patient.empty() && !fs::exists(options.patient))
     throw FileError(options.patient.string() + ": does not exist. Check --patient.");
+  if (arguments.has("patient")) arguments.refuse_idle(QStringLiteral("--patient"), {"shape"});
   options.unit = arguments.unit("unit");
   if (arguments.has("codes")) options.codes = read_label_codes(arguments.path("codes"));
   options.vertices = arguments.integer("vertices", 50, 20000);

@@ -33,6 +33,7 @@ std::vector<ui::Plot> to_plots(const std::vector<experiments::FigurePlot>& plots
 experiments::PaperFigure transfer(const Arguments& arguments, Session& session) {
   using experiments::TransferStudyOptions;
   const bool quick = arguments.has("quick");
+  if (quick) arguments.refuse_idle(QStringLiteral("--quick"), {"data"});
   TransferStudyOptions options = quick ? TransferStudyOptions::quick() : TransferStudyOptions();
   if (!quick) options.data = arguments.path("data");
   options.base = ui::built_in_atlas();

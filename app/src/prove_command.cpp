@@ -34,6 +34,15 @@ void say_absent(const std::vector<std::string>& absent) {
     say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(name)));
 }
 
+/// What would be left unread without a word, though the page would name it.
+void refuse_idle_options(const Arguments& arguments, const experiments::Proof& proof) {
+  const QStringList takes = QString::fromUtf8(proof.takes.data(), static_cast<qsizetype>(proof.takes.size()))
+                                .split(QLatin1Char(' '));
+  for (const char* name : {"real-only", "development-only", "quick", "looks", "resume"})
+    if (!takes.contains(QLatin1String(name)))
+      arguments.refuse_idle(QStringLiteral("glisson prove ") + QLatin1String(proof.name), {name});
+}
+
 experiments::ProofChoices choices_of(const Arguments& arguments) {
   experiments::ProofChoices choices;
   choices.seed = arguments.seed();
@@ -102,6 +111,7 @@ int run_prove(const QStringList& given) {
   const experiments::Proof* proof = experiments::proof_named(name.toStdString());
   if (proof == nullptr)
     throw UsageError(Cli::tr("%1: is no proof. See 'glisson prove --help'.").arg(name).toStdString());
+  refuse_idle_options(arguments, *proof);
   OutputFolder folder(arguments.required_path("out"));
   if (arguments.has("figures")) fs::create_directories(arguments.path("figures"));
   Session session(arguments);

@@ -40,6 +40,8 @@ int run_simulate(const QStringList& given) {
   arguments.flag("neo-hookean", Cli::tr("The non-linear law instead of the co-rotational one."));
   arguments.option("out", Cli::tr("The folder for the results."), "DIR");
   if (!arguments.parse(given)) return 0;
+  if (arguments.has("static"))
+    arguments.refuse_idle(QStringLiteral("--static"), {"steps", "dt", "solver", "tolerance", "every"});
   OutputFolder out(arguments.required_path("out"));
   command.load = fem::read_load_case(arguments.required_path("load"));
   command.options.steps = arguments.integer("steps", 1, 10000000);

@@ -63,13 +63,15 @@ void follow_clouds(Session& session, const Arguments& arguments, const ModelArgu
 /// A file of corrections, done after the frames that they name.
 class Corrections {
  public:
-  /// @param frames of the video.
+  /// @param frames of the video; 0: nobody knows.
   Corrections(Session& session, const fs::path& path, int frames) : session_(session), path_(path) {
     if (!path.empty()) lines_ = read_corrections(path);
     for (const CorrectionLine& line : lines_)
-      if (line.frame < 0 || line.frame >= frames)
-        throw InputError(path.string(), "frame " + std::to_string(line.frame), "is not in the video",
-                         "Give frames from 0 to " + std::to_string(frames - 1));
+      if (line.frame < 0 || (frames > 0 && line.frame >= frames)) refuse(line, frames);
+  }
+  /// @param frames that the video turned out to have. @throws InputError a line names none of them.
+  void end(int frames) const {
+    if (next_ < lines_.size()) refuse(lines_[next_], frames);
   }
 
   void after(int frame, experiments::TrackRecord& record) {
@@ -86,6 +88,11 @@ class Corrections {
   }
 
  private:
+  [[noreturn]] void refuse(const CorrectionLine& line, int frames) const {
+    throw InputError(path_.string(), "frame " + std::to_string(line.frame), "is not in the video",
+                     "Give frames from 0 to " + std::to_string(frames - 1));
+  }
+
   Session& session_;
   fs::path path_;
   std::vector<CorrectionLine> lines_;
@@ -130,7 +137,9 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
   const auto followed = [&](const StereoFrame& frame) {
     return session.follow(frame, whole.done_with(frame.index, frames));
   };
+  int reached = 0;
   const auto take = [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+    reached = frame.index + 1;
     record.add(frame.index, overlay);
     mask.look(session.state()[part::live]->mask);
     corrections.after(frame.index, record);
@@ -145,6 +154,7 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
   };
   guidance::each_frame(video, whole, followed, take);
   if (session.context().cancelled()) throw Interrupted();
+  session.attempt([&] { corrections.end(reached); });
 }
 
 experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgument& argument,

@@ -8,6 +8,7 @@
 #include "glisson/atlas/atlas.h"
 #include "glisson/atlas/correspond.h"
 #include "glisson/core/error.h"
+#include "glisson/core/note_value.h"
 #include "glisson/core/random.h"
 #include "glisson/core/share_out.h"
 #include "glisson/core/statistics.h"
@@ -121,7 +122,7 @@ class Builder {
     for (std::size_t i = 0; i < count(); ++i) {
       if (distances[i] <= limit) continue;
       works_[i].weight = (limit / distances[i]) * (limit / distances[i]);
-      result_.notes.push_back("atlas.outlier " + works_[i].member.name + " " +
+      result_.notes.push_back("atlas.outlier " + note_value(works_[i].member.name) + " " +
                               shown(distances[i] / middle, 2));
     }
   }
@@ -257,7 +258,7 @@ class Builder {
     taken.slopes.resize(taken.mean.size(), 0);
     result_.atlas.structures.push_back(std::move(taken));
     result_.notes.push_back(std::string("atlas.taken_over ") + structure_code(structure) + " " +
-                            known->origin);
+                            note_value(known->origin));
   }
   static double slope_size(const StructureStatistics& statistics) {
     return std::sqrt(statistics.slopes.squaredNorm() / static_cast<double>(statistics.slopes.rows()));

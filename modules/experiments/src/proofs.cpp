@@ -107,27 +107,27 @@ constexpr Proof kProofs[] = {
      "3D-IRCADb-01 patient 1 (real CT) against its expert's labels, and the synthetic patient (in silico) "
      "against its truth, both segmented by clicks; vessels edited by twenty simulated strokes. The trials: "
      "each liver from ten random clicks, five of them in it, then with a click on each lesion.",
-     whom_patient, patient_aims, run_patient},
+     whom_patient, patient_aims, "real-only", run_patient},
     {"stereo", "From the laparoscope's pictures to clouds",
      "A pair of real liver tissue against its CT surface, pairs of a chessboard and of a silicone heart "
      "(phantoms, real cameras), and pictures of the theatre (in silico), whose depth is known.",
-     nullptr, stereo_aims, run_stereo},
+     nullptr, stereo_aims, "real-only", run_stereo},
     {"registration", "How far off a registration is, and whether it says so",
      "Livers (synthetic, real CTs' label maps, surfaces) handled in silico in ways that the registration's "
      "prior does not know, with noisy clouds of a part of the surface; and clouds that are not of the "
      "patient, or not as they should be. Limits were set on the development patients alone.",
-     nullptr, registration_aims, run_registration},
+     nullptr, registration_aims, "development-only quick looks resume", run_registration},
     {"live", "What the live overlay says of itself when something is wrong",
      "Wrong starts, and faults put into the frames of the theatre (in silico), and into real pairs of "
      "liver tissue (for development) and of a silicone heart (for validation) that are set in motion in a "
      "known way: real texture and lens, simulated motion.",
-     whom_live, live_aims, run_live},
+     whom_live, live_aims, "real-only", run_live},
     {"pulled", "Bare organs that are pulled at a few places",
      "Neo-Hookean organs (in silico) that are held somewhere and pulled or pressed at one to three places, "
      "with clouds of 500 points of a fifth of the surface: registered from rest and followed. Of loose ones "
      "nobody says what holds them nor where they are before the camera; 44 % of them is seen. And "
      "elastic_sequence (Mestdagh and Cotin 2022, linear, in silico, not ours).",
-     nullptr, pulled_aims, run_pulled},
+     nullptr, pulled_aims, "quick", run_pulled},
     {"atlas", "Landmarks that the CT does not show",
      "Ten livers of the synthetic population (in silico, landmarks by formula) and the real livers of the "
      "label maps (those of even numbers alone, with --development-only: they served development), each "
@@ -137,7 +137,7 @@ constexpr Proof kProofs[] = {
      "that is a little longer or shorter moves. And what landmarks are worth to a registration (in silico): "
      "the same clouds, 30 % seen, with none, with a person's, with a person's whose notch is 17.5 mm off, "
      "and with the atlas's, all accepted.",
-     nullptr, atlas_aims, run_atlas},
+     nullptr, atlas_aims, "real-only development-only", run_atlas},
 };
 
 }  // namespace

@@ -246,7 +246,7 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
   int beaten = 0;
   for (const auto& [key, cell] : cells) {
     row(key.first, key.second, cell);
-    beaten += cell.ours.value() < cell.rigid.value();
+    beaten += cell.mean_of_all() < cell.rigid.value();
   }
   for (const auto& [share, cell] : shares) {
     row("all", share, cell);

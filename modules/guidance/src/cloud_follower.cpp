@@ -33,6 +33,7 @@ Validity CloudFollower::follow(const LabelledCloud& cloud, int steps, FollowedBo
   unlabelled.features.clear();
   CloudFaults faults;
   unlabelled = sound_cloud(unlabelled, from_camera_, faults);
+  seen_ = unlabelled.points;
   if (unlabelled.size() < std::max(10, options_.minimum_pairs)) return Validity::too_few_points;
   const Points there = body.positions(), speed = body.velocities();
   const BoundarySprings springs = body.springs();

@@ -18,6 +18,8 @@ class CloudFollower {
   /// where it was.
   /// @param steps of the springs, with new pairs each. @param overlay its pairs and residual are filled in.
   Validity follow(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
+  /// The points of the last cloud that could be used: sound_cloud().
+  const PointsIn<CameraFrame>& seen() const { return seen_; }
 
  private:
   Validity bring(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
@@ -27,6 +29,7 @@ class CloudFollower {
   TrackerOptions options_;
   bool from_camera_;  ///< the clouds; or they are in the model's frame
   std::optional<registration::ForceFollower> forces_;
+  PointsIn<CameraFrame> seen_;
 };
 
 }  // namespace glisson::guidance

@@ -403,7 +403,7 @@ struct Tracker::Impl {
     overlay.seconds = seconds;
     overlay.validity = clouds.follow(cloud, steps, body, overlay);
     overlay.nodes_in_camera = body.positions();
-    overlay.lesions = lesions.judge(overlay, overlay.level() == Level::withdrawn ? Points() : cloud.points);
+    overlay.lesions = lesions.judge(overlay, overlay.level() == Level::withdrawn ? Points() : clouds.seen());
     return overlay;
   }
 

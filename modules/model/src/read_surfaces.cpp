@@ -14,6 +14,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/note_value.h"
 #include "glisson/geometry/liver_size.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
@@ -91,13 +92,13 @@ std::map<std::string, fs::path> files_in(const fs::path& folder, std::vector<std
   for (const fs::path& file : files) {
     const std::string stem = plain(file.stem().string()), name = file.filename().string();
     if (!meaning_of(stem)) {
-      notes.push_back("surfaces.ignored " + name);
+      notes.push_back("surfaces.ignored " + note_value(name));
     } else if (const auto [taken, is_first] = chosen.emplace(stem, file); !is_first) {
       const std::string other = taken->second.filename().string();
       if (lower_extension(file) == lower_extension(taken->second))
         throw InputError(folder.string(), stem, "is named twice: " + other + " and " + name,
                          "Keep one of them");
-      notes.push_back("surfaces.of_one_name " + name + " " + other);
+      notes.push_back("surfaces.of_one_name " + note_value(name) + " " + note_value(other));
     }
   }
   return chosen;

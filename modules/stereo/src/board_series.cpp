@@ -2,6 +2,7 @@
 #include "glisson/stereo/board_series.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "glisson/stereo/picture_reader.h"
 
@@ -33,11 +34,15 @@ bool add_pairs(BoardViews& views, const std::vector<PicturePair>& pairs, const R
 
 bool add_frames(BoardViews& views, StereoVideo& video, const RunContext& context, const BoardTold& told) {
   constexpr int kLooks = 60;  // a second each
-  const int step = std::max(1, video.frame_count() / kLooks);
+  const int frames = video.frame_count();
+  // Of a video that does not tell its length, a look a second of its first minute.
+  const int a_second = std::max(1, static_cast<int>(std::lround(video.frames_per_second())));
+  const int step = frames > 0 ? std::max(1, frames / kLooks) : a_second;
   for (StereoFrame frame; video.read(frame);) {
     if (frame.index % step != 0) continue;
     if (context.cancelled()) return false;
-    context.progress(std::min(1.0, frame.index / std::max(1.0, 1.0 * video.frame_count())), kStage);
+    if (frames <= 0 && frame.index >= kLooks * step) break;
+    context.progress(std::min(1.0, frame.index / (frames > 0 ? 1.0 * frames : 1.0 * kLooks * step)), kStage);
     add(views, "frame " + std::to_string(frame.index), frame.left, frame.right, told);
   }
   return true;

@@ -128,23 +128,26 @@ std::string pair_name(const std::string& rest, const fs::path& left) {
   return first == std::string::npos ? left.stem().string() : rest.substr(first, last - first + 1);
 }
 
+/// Of two files of one name, as 1.jpg and 1.png, each takes the other view's of its own format.
 PicturePairs matched(const std::vector<fs::path>& left, const std::vector<fs::path>& right) {
-  std::map<std::string, fs::path> partners;
-  for (const fs::path& file : right) partners[named(file).rest] = file;
+  std::multimap<std::string, fs::path> partners;
+  for (const fs::path& file : right) partners.emplace(named(file).rest, file);
   PicturePairs result;
   for (const fs::path& file : left) {
     const std::string rest = named(file).rest;
-    const auto partner = partners.find(rest);
-    if (partner == partners.end()) {
+    const auto [begin, end] = partners.equal_range(rest);
+    if (begin == end) {
       result.alone.push_back(file);
       continue;
     }
+    const auto alike = std::find_if(begin, end, [&](const auto& partner) {
+      return lower_extension(partner.second) == lower_extension(file);
+    });
+    const auto partner = alike == end ? begin : alike;
     result.pairs.push_back({pair_name(rest, file), file, partner->second});
     partners.erase(partner);
   }
-  for (const fs::path& file : right)
-    if (const auto rest = partners.find(named(file).rest); rest != partners.end() && rest->second == file)
-      result.alone.push_back(file);
+  for (const auto& [rest, file] : partners) result.alone.push_back(file);
   return result;
 }
 

@@ -140,11 +140,12 @@ class TwoStreams : public Views {
     }
     // Only a file that breaks off is reported. One of two cameras that was unplugged, or one of two recorders
     // that was stopped a moment before the other, is simply the end.
-    if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
+    if (has_left != has_right && !left_->live && !right_->live) {
       const PictureStream& broken = has_left ? *right_ : *left_;
       const Reached& reached = has_left ? in_right_ : in_left_;
-      const int longest = std::max(left_->frames, right_->frames);
-      if (!reached.is_end_of(longest, rate)) broken_off(broken.name, reached.taken(), longest);
+      // Where frames had no partners the two need not be of one length.
+      const int frames_due = skipped == 0 ? std::max(left_->frames, right_->frames) : broken.frames;
+      if (!reached.is_end_of(frames_due, rate)) broken_off(broken.name, reached.taken(), frames_due);
     }
     for (const auto& [stream, reached] : {std::pair(left_.get(), &in_left_), {right_.get(), &in_right_}})
       if (!has_left && !has_right && !reached->is_end_of(stream->frames, rate))

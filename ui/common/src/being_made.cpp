@@ -31,6 +31,10 @@ bool is_being_replaced(const EngineBridge& engine, engine::Part part) {
                     [](const engine::CommandTraits& work) { return work.notice != engine::Notice::quiet; });
 }
 
+bool is_case_to_come(const EngineBridge& engine) {
+  return std::ranges::any_of(engine.tasks(), [](const Task& task) { return task.traits.replaces_case(); });
+}
+
 QString model_wait_text() { return BeingMade::tr("A new model is being made: look at it first."); }
 
 }  // namespace glisson::ui

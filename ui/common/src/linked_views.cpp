@@ -349,8 +349,9 @@ void LinkedViews::show_model() {
 }
 
 void LinkedViews::show_slice(scene::Plane plane) {
-  if (!slices_toggle_->isChecked()) return;  // all are brought up to date when they are shown
   const SliceView& view = slice(plane);
+  // All are brought up to date when they are shown; one that there is no more goes at once.
+  if (!slices_toggle_->isChecked() && !view.slice().empty()) return;
   volume_->patient().set_slice(view.geometry_in_ct(), view.slice());
   volume_->update();
 }

@@ -283,7 +283,8 @@ class Notes {
             "it, open it yourself (Stereo > Open; on the command line --video of render and overlay). "
             "(%*)")},
         {"case.moment_lost",
-         tr("The case was opened without a kept moment, which cannot be read. The others are there. (%*)")},
+         tr("The case was opened without a kept moment, which cannot be read. The others are there. Saved "
+            "now, the case loses what is left of it. (%*)")},
         {"labels.other_frame", tr("The segmentation names another DICOM frame of reference than the CT, as "
                                   "one of another scan does: "
                                   "check in the slices that it lies on this liver.")},
@@ -398,7 +399,7 @@ QString value_text(const QString& token, int decimals = 2) {
   if (const QString place = Notes::places().value(token); !place.isEmpty()) return place;
   if (const QString axes = Notes::axes().value(token); !axes.isEmpty()) return axes;
   const QString structure = structure_named(token);
-  return structure.isEmpty() ? token : structure;
+  return structure.isEmpty() ? QString::fromUtf8(QByteArray::fromPercentEncoding(token.toUtf8())) : structure;
 }
 
 }  // namespace

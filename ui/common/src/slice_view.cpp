@@ -85,8 +85,10 @@ void SliceView::show_hand() {
 void SliceView::refresh_slice() {
   if (!state_.image() || state_.image()->empty()) {
     slice_ = {};
+    slice_.plane = plane_;
     drawing_.clear();
     image_ = shown_ = {};
+    emit slice_changed();
     update();
     return;
   }

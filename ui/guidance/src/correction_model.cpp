@@ -42,6 +42,10 @@ void CorrectionModel::read_case() {
   is_offered = playback_.is_playing && !review_.is_reviewing;
   if (!is_offered) {
     is_correcting = false;
+    if (held_ && has_arrived_) {  // what a hand has drawn so far stands
+      note_last();
+      has_arrived_ = false;
+    }
     held_.reset();
     ends_ = gives_up_ = false;
     line = std::optional<Line>();
@@ -165,10 +169,14 @@ void CorrectionModel::finish(const engine::Outcome& outcome) {
   held_.reset();
   ends_ = false;
   line = std::optional<Line>();
-  const bool stands = has_arrived_ && live() != nullptr && !live()->corrections.empty();
+  if (has_arrived_) note_last();
   has_arrived_ = false;
-  if (stands) record_.push_back(correction_line(live()->corrections.back()));
   if (is_done) say(standing());
+}
+
+void CorrectionModel::note_last() {
+  if (live() != nullptr && !live()->corrections.empty())
+    record_.push_back(correction_line(live()->corrections.back()));
 }
 
 QString CorrectionModel::standing() const {

@@ -64,6 +64,10 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   others->addWidget(new OpenIgtLinkBox(openigtlink_, this));
   others->addWidget(new ToolBox(tool_, this));
   watch(part::registration);
+  // After the recording itself, which says by then how it went.
+  connect(&worker_, &OverlayWorker::recording_ended, this, [this] {
+    emit wound_up(recording_.tone.value() == QLatin1String("good") ? QString() : recording_.said.value());
+  });
 
   join_hands();
   couplings_.add(correction_.is_correcting, [this](bool is) { live_.show_refuted(is); });
@@ -107,6 +111,12 @@ void GuidancePanel::join_hands() {
     if (number != 0) view_->show_picture();
   });
   couplings_.add(review_.is_reviewing, [this, picture](bool) { picture->set_placing(can_drag()); });
+}
+
+QString GuidancePanel::wind_up() {
+  if (!recording_.is_recording) return {};
+  recording_.stop();
+  return tr("The recording is being brought to its end. Then the window closes.");
 }
 
 void GuidancePanel::leave_former() {

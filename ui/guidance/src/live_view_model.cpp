@@ -233,8 +233,7 @@ void LiveViewModel::show_live() {
   job.right = now[part::live]->frame.right;
   job.overlay = now[part::live]->overlay;
   if (is_live_stale()) job.overlay.validity = Validity::stale;
-  if (shows_refuted_ && job.overlay.validity == Validity::surface_apart)
-    job.overlay.validity = Validity::proposed;
+  job.draws_refuted = draws_refuted(job.overlay);
   job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
   // Not those that were on their way, nor one of which nobody knows how old it is.
   job.is_live = job.taken && !playback_.is_paused && !playback_.is_frozen;
@@ -242,6 +241,10 @@ void LiveViewModel::show_live() {
   job.status.frames_per_second = rate();
   live_job_ = job;
   kept_ ? draw_unseen(std::move(job)) : submit(std::move(job));
+}
+
+bool LiveViewModel::draws_refuted(const OverlayFrame& overlay) const {
+  return shows_refuted_ && overlay.validity == Validity::surface_apart;
 }
 
 void LiveViewModel::show_refuted(bool on) {
@@ -269,6 +272,7 @@ void LiveViewModel::show_present() {
   }
   OverlayJob job = *live_job_;
   if (is_stale_) job.overlay.validity = Validity::stale;
+  job.draws_refuted = draws_refuted(job.overlay);
   job.style = style_;
   job.interest = interest_;
   job.taken.reset();

@@ -37,7 +37,10 @@ struct OverlayWorker::Studio {
     scene::OverlayStatus status = job.status;
     status.age_seconds = job.is_live ? age : 0.0;
     status.stands = !job.is_live;
-    return painter->paint(job.frame, job.overlay, status, job.interest);
+    if (!job.draws_refuted) return painter->paint(job.frame, job.overlay, status, job.interest);
+    OverlayFrame proposed = job.overlay;
+    proposed.validity = Validity::proposed;
+    return painter->paint(job.frame, proposed, status, job.interest);
   }
 
   std::optional<guidance::LesionMeasures> measures() const {

@@ -15,6 +15,7 @@
 #include "glisson/engine/commands/edit_trees.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/model/quality.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
@@ -315,9 +316,10 @@ void TreeEditor::click(const Eigen::Vector3d& place) {
 }
 
 void TreeEditor::post(std::vector<model::TreeEdit> edits, std::vector<model::TreeEdit> undone) {
+  if (is_being_made(engine_, part::model)) return show_message(model_wait_text());
   expected_ = edits;
   undone_before_ = std::exchange(undone_, std::move(undone));
-  posted_ = engine_.post(engine::EditTrees{std::move(edits)});
+  posted_ = engine_.post(engine::EditTrees{std::move(edits), shown_});
   undo_->setEnabled(false);
   redo_->setEnabled(false);
 }

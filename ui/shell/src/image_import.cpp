@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/read_image.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/patient_held.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/shell/series_dialog.h"
 
 namespace glisson::ui {
@@ -41,7 +42,8 @@ void ImageImport::start(const std::filesystem::path& path) {
 
 void ImageImport::read(const std::string& series) {
   image_.series = series;
-  if (engine::holds_patient(engine_.state()))
+  // It waits with its question where a patient is still on the way.
+  if (engine::holds_patient(engine_.state()) || is_case_to_come(engine_))
     reading_ = engine_.post(engine::ReadImage{image_.path, series});
   else
     finish(image_);

@@ -31,6 +31,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/surface_export.h"
 #include "glisson/ui/atlas/atlas_panel.h"
+#include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/named_video_question.h"
 #include "glisson/ui/common/save_name.h"
@@ -50,6 +51,7 @@
 #include "task_status.h"
 #include "welcome_page.h"
 #include "wheel_guard.h"
+#include "winding_up.h"
 
 namespace glisson::ui {
 namespace {
@@ -62,13 +64,6 @@ bool holds_anything(const engine::CaseState& state) {
   const auto& parts = engine::all_parts();
   return std::any_of(parts.begin(), parts.end(),
                      [&](const engine::Part part) { return part.type().is_saved() && state.has(part); });
-}
-
-/// Whether one is on its way that takes the place of what is open.
-bool is_case_to_come(const EngineBridge& engine) {
-  const auto& tasks = engine.tasks();
-  return std::any_of(tasks.begin(), tasks.end(),
-                     [](const Task& task) { return task.traits.replaces_case(); });
 }
 
 engine::SaveCase save_to(const std::filesystem::path& place) {
@@ -263,6 +258,7 @@ void MainWindow::ask_whose(const engine::ImportImage& image) {
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
     return;
   }
+  if (!engine::holds_patient(engine_.state())) return import_->finish(image);  // none came
   auto* box = new QMessageBox(QMessageBox::Question, tr("Open a CT"),
                               tr("Is this CT of another patient, or another one of the patient who is open?"),
                               QMessageBox::Cancel, this);
@@ -300,10 +296,11 @@ void MainWindow::ask_whose(const engine::ImportImage& image) {
   box->open();  // does not stop the window
 }
 
-void MainWindow::show_problem(const QString& sentence) {
+QDialog* MainWindow::show_problem(const QString& sentence) {
   auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), sentence, QMessageBox::Ok, this);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();  // does not stop the window
+  return box;
 }
 
 void MainWindow::open_case() {
@@ -418,7 +415,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
     saved_ = on_disk->editions;
     recent_->add(engine_.state().path);
     show_case();
-    if (closes) close();  // and asks again where it has
+    if (closes) return close_after(outcome.notes);
   }
   // A panel's own button shows its own error and notes; what came from the menu or a drop has no other place.
   if (outcome.traits.notice != engine::Notice::files) return;
@@ -428,6 +425,15 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   const bool has_sheet = outcome.traits.writes.has(part::model) && !outcome.traits.replaces_case();
   const std::vector<std::string> notes = ask_named_video(this, engine_, outcome);
   if (outcome.status == engine::Status::done && !notes.empty() && !has_sheet) show_problem(notes_text(notes));
+}
+
+/// What became otherwise of the save that closes the window is read before it does, which asks again where it
+/// has.
+void MainWindow::close_after(const std::vector<std::string>& notes) {
+  if (notes.empty())
+    close();
+  else
+    connect(show_problem(notes_text(notes)), &QDialog::finished, this, [this] { close(); });
 }
 
 QString MainWindow::status_text() const { return status_->text(); }
@@ -444,20 +450,30 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     losses << tr(
         "A new segmentation waits for your decision (Segmentation). Closing lets it go; your labels "
         "are kept as they are.");
-  if (losses.isEmpty()) return event->accept();
+  if (leaves_ || losses.isEmpty()) return leave(event);
   const QString told = losses.join(QLatin1Char(' '));
   if (!isWindowModified()) {
     const auto answer =
         QMessageBox::question(this, tr("Close"), told, QMessageBox::Close | QMessageBox::Cancel);
-    return answer == QMessageBox::Close ? event->accept() : event->ignore();
+    return answer == QMessageBox::Close ? leave(event) : event->ignore();
   }
   const auto answer = QMessageBox::question(this, tr("Close"), told,
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  if (answer == QMessageBox::Discard) return event->accept();
+  if (answer == QMessageBox::Discard) return leave(event);
   event->ignore();
   if (answer != QMessageBox::Save) return;
   if (const auto path = place_to_save())
     closing_save_ = engine_.post(save_to(*path));  // closes when the outcome comes
+}
+
+/// What must not be cut short is brought to its end first, and what went wrong is told.
+void MainWindow::leave(QCloseEvent* event) {
+  const auto go = [this] {
+    leaves_ = true;
+    close();
+  };
+  const bool waits = wind_up(panels_, this, go, [this](const QString& problem) { show_problem(problem); });
+  event->setAccepted(!waits);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

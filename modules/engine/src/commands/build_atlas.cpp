@@ -10,6 +10,7 @@
 #include "atlas_member.h"
 #include "glisson/core/error.h"
 #include "glisson/core/folder_exchange.h"
+#include "glisson/core/note_value.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/review.h"
 
@@ -68,7 +69,7 @@ Cancellable<std::vector<atlas::Member>> livers_of(const BuildAtlas& command, con
     if (command.unapproved || is_approved(*opened))
       livers.push_back(atlas_member(name, *opened));
     else
-      notes.push_back("atlas.not_approved " + name);
+      notes.push_back("atlas.not_approved " + note_value(name));
     context.progress(0.2 * static_cast<double>(i + 1) / static_cast<double>(all.size()), "atlas.livers");
   }
   return livers;

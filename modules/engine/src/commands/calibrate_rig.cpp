@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/calibrate_rig.h"
 
+#include "glisson/core/note_value.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/board_series.h"
 #include "glisson/stereo/calibration_io.h"
@@ -25,7 +26,7 @@ std::vector<std::string> notes_of(const stereo::Calibration& calibration) {
   std::vector<std::string> notes;
   for (const stereo::ViewReport& view : calibration.views)
     if (view.outlier)
-      notes.push_back((view.used ? "calibration.proposed " : "calibration.outlier ") + view.name);
+      notes.push_back((view.used ? "calibration.proposed " : "calibration.outlier ") + note_value(view.name));
   for (std::string& doubt : stereo::calibration_doubts(calibration.rig)) notes.push_back(std::move(doubt));
   return notes;
 }

@@ -3,6 +3,7 @@
 
 #include "glisson/engine/parts/model.h"
 #include "model_figures.h"
+#include "seen.h"
 
 namespace glisson::engine {
 
@@ -15,6 +16,7 @@ CommandTraits EditTrees::traits() const {
 }
 
 Cancellable<Applied> EditTrees::apply(const CaseState& state, const RunContext&) const {
+  require_seen(state, part::model, seen);
   return with_model(state, model::with_tree_edits(*state[part::model], edits));
 }
 

@@ -21,7 +21,7 @@
 
 namespace glisson::experiments {
 
-/// What a person chooses. Each proof takes of it what it knows and leaves the rest.
+/// What a person chooses. Each proof takes of it what it knows (Proof::takes) and leaves the rest.
 struct ProofChoices {
   std::uint64_t seed = 1;
   std::filesystem::path data;     ///< folder of the real data; what is absent is left out
@@ -52,6 +52,8 @@ struct Proof {
   /// What the introduction ends with: whether limits were set on those who are measured. Null: nothing.
   std::string (*whom)(const ProofChoices& choices);
   const std::vector<Aim>& (*aims)();  ///< that it is measured against
+  /// Of real-only, development-only, quick, looks and resume (ProofChoices::former) those that it takes.
+  std::string_view takes;
   /// Minutes to hours. Leaves what is worth a look in `folder`, which exists. Empty: cancelled; what was
   /// finished is there.
   /// @throws InputError naming a choice that cannot be; Error of any stage.

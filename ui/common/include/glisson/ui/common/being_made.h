@@ -15,6 +15,8 @@ bool is_being_made(const EngineBridge& engine, engine::Part part, std::optional<
 /// The same without a person's own small steps, which follow each other: something puts another in this
 /// part's place, and what a person changes in it meanwhile would meet what nobody has seen.
 bool is_being_replaced(const EngineBridge& engine, engine::Part part);
+/// Whether a case is on its way that takes the place of what is open.
+bool is_case_to_come(const EngineBridge& engine);
 /// Why nothing is said of the model meanwhile.
 QString model_wait_text();
 

@@ -31,8 +31,12 @@ class Panel : public QWidget {
   virtual void activate() {}
   virtual void deactivate() {}
   StepState step_state() const { return step_state_; }
+  /// Ends what the panel does beside the engine and must not be cut short.
+  /// @return what a person waits for, until wound_up(); empty: there is nothing of the kind.
+  virtual QString wind_up() { return {}; }
 
  signals:
+  void wound_up(const QString& problem);  ///< empty: it went well
   void step_state_changed();
 
  protected:

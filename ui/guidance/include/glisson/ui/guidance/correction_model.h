@@ -61,6 +61,8 @@ class CorrectionModel : public QObject {
   void send_piece(bool is_last);
   void say(const QString& text, const QString& how = {});
   QString standing() const;
+  /// The last correction that stands, for who does the same again.
+  void note_last();
   const engine::LiveState* live() const;
 
   EngineBridge& engine_;

@@ -32,6 +32,8 @@ class GuidancePanel : public Panel {
   ~GuidancePanel() override;
 
   QWidget* view() override { return view_; }
+  /// A recording.
+  QString wind_up() override;
   /// Augmented pictures shown since the window was opened.
   int pictures_shown() const { return live_.pictures_shown(); }
   /// Records the live view into a file until it is called with an empty path.

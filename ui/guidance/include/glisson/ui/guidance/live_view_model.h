@@ -108,6 +108,7 @@ class LiveViewModel : public QObject {
   void times_told(const glisson::ui::ScreenTimes& times);
 
  private:
+  bool draws_refuted(const OverlayFrame& overlay) const;
   void read_case();
   void show_live();
   bool is_live_stale() const;

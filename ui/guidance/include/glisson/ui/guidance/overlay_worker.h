@@ -30,6 +30,7 @@ struct OverlayJob {
   Picture frame;
   Picture right;  ///< for a recording of the raw views; may be empty
   OverlayFrame overlay;
+  bool draws_refuted = false;  ///< what the surfaces contradict is drawn as a proposal, for hands to correct
   /// When the picture was taken; empty: not live, age is not counted.
   std::optional<std::chrono::steady_clock::time_point> taken;
   scene::OverlayStyle style;

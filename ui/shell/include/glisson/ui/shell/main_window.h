@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "glisson/engine/commands/import_image.h"
@@ -13,6 +14,7 @@
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/view_state.h"
 
+class QDialog;
 class QScrollArea;
 class QStackedWidget;
 
@@ -83,7 +85,9 @@ class MainWindow : public QMainWindow {
   void show_case();
   void show_outcome(const engine::Outcome& outcome);
   void show_middle();
-  void show_problem(const QString& sentence);
+  QDialog* show_problem(const QString& sentence);
+  void close_after(const std::vector<std::string>& notes);
+  void leave(QCloseEvent* event);
 
   EngineBridge engine_;
   ViewState state_;
@@ -106,6 +110,7 @@ class MainWindow : public QMainWindow {
   int step_ = 0;
   engine::Editions saved_{};                       ///< what stands on the disk
   std::optional<engine::CommandId> closing_save_;  ///< after which the window closes
+  bool leaves_ = false;                            ///< nothing is asked any more
 };
 
 }  // namespace glisson::ui
