@@ -157,6 +157,11 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"import", "ct.nrrd", "--case", "nowhere/a.glisson"}, "nowhere/a.glisson: its folder");
   refused({"model", "--surfaces", "s", "--case", "nowhere/a.glisson"}, "nowhere/a.glisson: its folder");
   refused({"check", "--video", "v.mkv", "--calibration", ""}, "--calibration: has no value", 2);
+  // What would be left unread.
+  refused({"simulate", "--static", "--steps", "9", "--model", "m.vtu", "--load", "l.json", "--out", "o"},
+          "--steps: means nothing with --static", 2);
+  refused({"prove", "live", "--out", "o", "--quick"}, "--quick: means nothing with glisson prove live", 2);
+  refused({"demo", "--patient", ".", "--shape", "2"}, "--shape: means nothing with --patient", 2);
 }
 
 void CommandsTest::MissingInputIsNamed() {

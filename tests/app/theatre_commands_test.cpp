@@ -317,9 +317,11 @@ void TheatreCommandsTest::ATruthThatCannotBeComparedTakesNothingAlong() {
   put_cloud("cloud_02.ply", 0.004);
   write_node_list(at("truth_01.xyz"), bent(mesh.vertices, 0.002), LengthUnit::millimetre);
   write_text(at("truth_02.xyz"), "1 2\n");
-  const Ran registered = run({"register", "--model", "m.vtu", "--cloud", "cloud_01.ply", "--rigid", "none",
-                              "--homogeneous", "--truth", "truth_02.xyz", "--out", "r.vtu"});
+  const Ran registered =
+      run({"register", "--model", "m.vtu", "--cloud", "cloud_01.ply", "--rigid", "none", "--homogeneous",
+           "--truth", "truth_02.xyz", "--out", "r.vtu", "--report", "r.html", "--json", "r.json"});
   QCOMPARE(registered.code, 1);
+  QVERIFY(fs::exists(at("r.html")) && figures("r.json").contains("registration_residual_mm"));
   QVERIFY2(registered.error.contains("truth_02.xyz"), qPrintable(registered.error));
   QVERIFY(fs::exists(at("r.vtu")));
 

@@ -40,8 +40,10 @@ class Showing : public Follower {
     return overlay();
   }
   static inline std::function<void()> taken;  ///< called when it has gone over
-  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() override {
-    return std::make_shared<const Points>(Points::Ones(overlay_.index, 3));
+  std::shared_ptr<const LabelledCloud> tissue_at_start() override {
+    LabelledCloud tissue;
+    tissue.points = Points::Ones(overlay_.index, 3);
+    return std::make_shared<const LabelledCloud>(std::move(tissue));
   }
 
  private:
@@ -210,7 +212,9 @@ void AgainTest::PointsOfAnotherMomentAreLeftOut() {
   start.nodes_in_camera = start.camera_from_ct.apply(built->model.mesh.vertices);
   const LabelledCloud seen = phantom::patch(built->model, start.nodes_in_camera, {});
   LiveState live;
-  live.tissue_at_start = std::make_shared<const PointsIn<CameraFrame>>(seen.points);
+  LabelledCloud tissue;
+  tissue.points = seen.points;
+  live.tissue_at_start = std::make_shared<const LabelledCloud>(std::move(tissue));
   LabelledCloud former = seen;
   former.points(0, 0) = std::nan("");  // whoever looks at it refuses it
   state[part::model] = built;
@@ -262,7 +266,7 @@ void AgainTest::TheLivePartTellsOfTheTissue() {
   ask(engine, StartTracking{});
   QVERIFY(!engine.snapshot()->state[part::live]->tissue_at_start);
   follow(engine, 7);
-  QCOMPARE(engine.snapshot()->state[part::live]->tissue_at_start->rows(), 7);
+  QCOMPARE(engine.snapshot()->state[part::live]->tissue_at_start->size(), 7);
 }
 
 void AgainTest::WithoutAnythingFollowedNothingIsTaken() {

@@ -57,6 +57,7 @@ class CaseReachTest : public QObject {
   void ACaseThatIsSavedKeepsItsVideo_data();
   void ACaseThatIsSavedKeepsItsVideo();
   void SavingLeavesANetworkSourceOut();
+  void AVideoInTheCasesFolderMovesWithIt();
   void CirclesOfLinksAreToldAsSuch();
 
  private:
@@ -329,8 +330,35 @@ void CaseReachTest::SavingLeavesANetworkSourceOut() {
   CaseState state = state_with_model();
   state[part::video] = std::make_shared<const VideoSource>(VideoSource{"device:rtsp://192.0.2.1/x", {}});
   const fs::path path = folder_->path() / "a.glisson";
-  QVERIFY(save_case(path, state, RunContext()));
-  QVERIFY(!open_case(path, RunContext())->has(part::video));
+  StereoInput pair;
+  pair.frame.left = pair.frame.right = {
+      4, 4, 3, std::make_shared<std::vector<std::uint8_t>>(std::size_t{48}, std::uint8_t{90})};
+  state[part::frame] = std::make_shared<const StereoInput>(pair);
+  state.stamp(part::video).revision = 15;
+  // What was taken from it is not out of date by that, but where it was before.
+  for (const bool is_current : {true, false}) {
+    state.stamp(part::frame) = {16, {{part::video, is_current ? 15U : 14U}}};
+    QVERIFY(save_case(path, state, RunContext()));
+    const auto opened = open_case(path, RunContext());
+    QVERIFY(!opened->has(part::video) && opened->has(part::frame));
+    QCOMPARE(stage_state(*opened, part::frame), is_current ? StageState::current : StageState::stale);
+  }
+}
+
+void CaseReachTest::AVideoInTheCasesFolderMovesWithIt() {
+  const fs::path path = folder_->path() / "a.glisson", moved = folder_->path() / "b.glisson";
+  for (const char* place : {"film.mkv", "films/film.mkv"}) {
+    CaseState state = state_with_model();
+    state[part::video] = std::make_shared<const VideoSource>(VideoSource{path / place, {}});
+    QVERIFY(save_case(path, state, RunContext()));
+    fs::rename(path, moved);
+    CaseState opened;
+    (void)lost_by(moved, opened);
+    const auto& video = opened.has(part::video) ? opened[part::video] : opened[part::named_video];
+    QVERIFY(video);
+    QCOMPARE(video->left, moved / place);
+    fs::remove_all(moved);
+  }
 }
 
 void CaseReachTest::CirclesOfLinksAreToldAsSuch() {

@@ -64,6 +64,8 @@ class CorrectAroundTest : public QObject {
   void AClickIsAStepThatCanBeUndone();
   void SeveralClicksAreOneStepAndCountTogether();
   void AClickOnAVesselIsAStepOfIts();
+  void ALesionsNotesComeWithItsClickAndGoWithIt();
+  void AllThatClicksHaveWorkedOnIsWorkByHand();
   void WhatWasApprovedIsToBeLookedAtAgain();
   void AClickThatSaysNothingNewOutdatesNothing();
   void WithoutLabelsThereIsNothingToCorrect();
@@ -110,6 +112,36 @@ void CorrectAroundTest::AClickOnAVesselIsAStepOfIts() {
   QCOMPARE(outcome.status, Status::done);
   QVERIFY(std::count(outcome.notes.begin(), outcome.notes.end(), "portal_vein.not_found") == 1);
   QCOMPARE(engine->snapshot()->state[part::labels], before);
+}
+
+void CorrectAroundTest::ALesionsNotesComeWithItsClickAndGoWithIt() {
+  const auto engine = engine_of(Runner::inline_, true);
+  const auto told = [&] { return told_of_labels(engine->snapshot()->state); };
+  QVERIFY(told().empty());
+  CorrectAround command;
+  command.seeds.lesions = {kMiddle.transpose()};
+  command.seeds.lesion_diameters_mm = {12.0};
+  command.grown = {{structure::kFirstLesion, Point<CtFrame>(kMiddle)}};
+  const Outcome outcome = done(*engine, command);
+  QVERIFY2(outcome.status == Status::done && !outcome.notes.empty(), outcome.error.c_str());
+  QVERIFY(outcome.figures.at("voxels_changed") > 0.0);
+  QCOMPARE(told(), outcome.notes);
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QVERIFY(told().empty());
+}
+
+void CorrectAroundTest::AllThatClicksHaveWorkedOnIsWorkByHand() {
+  const auto engine = engine_of(Runner::inline_, true);
+  CorrectAround command;
+  command.seeds.lesions = {kMiddle.transpose(), kMiddle.transpose()};
+  command.seeds.lesions[1](0, 1) += 0.012;
+  command.seeds.lesion_diameters_mm = {9.0, 9.0};
+  for (int n = 0; n < 2; ++n)
+    command.grown.push_back({static_cast<Label>(structure::kFirstLesion + n),
+                             Point<CtFrame>(Eigen::Vector3d(command.seeds.lesions[n].row(0).transpose()))});
+  QCOMPARE(done(*engine, command).status, Status::done);
+  const std::set<Label> by_hand = edited_by_hand(engine->snapshot()->state);
+  for (const auto& click : command.grown) QVERIFY(by_hand.contains(click.structure));
 }
 
 void CorrectAroundTest::WhatWasApprovedIsToBeLookedAtAgain() {

@@ -62,6 +62,7 @@ class LabelNotesTest : public QObject {
   void TheyComeBackWithTheCase();
   void TheyGoBackAndForthWithTheSteps();
   void WhatIsToldOfAKeptLiverOutlastsANewSearchInIt();
+  void WhatLiesOutsideOfARegionOrIsLockedIsToldStill();
 
  private:
   Outcome run(Command command) { return done(*engine_, std::move(command)); }
@@ -135,6 +136,49 @@ void LabelNotesTest::WhatIsToldOfAKeptLiverOutlastsANewSearchInIt() {
   // Found anew, it is told of anew.
   QCOMPARE(run(coarse()).status, Status::done);
   QVERIFY(!tells(told(), "seed.liver_apart 2") && tells(told(), "liver.small"));
+}
+
+void LabelNotesTest::WhatLiesOutsideOfARegionOrIsLockedIsToldStill() {
+  segmentation::Seeds seeds;
+  seeds.liver = PointsIn<CtFrame>::Zero(1, 3);
+  seeds.lesions = {PointsIn<CtFrame>::Zero(1, 3), PointsIn<CtFrame>::Zero(1, 3)};
+  seeds.lesions[1](0, 0) = 0.03;
+  QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
+  QCOMPARE(run(coarse()).status, Status::done);
+  const auto of_lesion = [&](const char* lesion) {
+    const Notes now = told();
+    return std::count_if(now.begin(), now.end(),
+                         [&](const std::string& note) { return note.starts_with(lesion); });
+  };
+  // In one tissue neither has a border.
+  QVERIFY(of_lesion("lesion_1.") > 0 && of_lesion("lesion_2.") > 0);
+  const auto first = of_lesion("lesion_1.");
+  Segment second = coarse();
+  second.options.structures = segmentation::kNoStructures;
+  second.options.structures.lesions = true;
+  second.options.region =
+      Eigen::AlignedBox3d(Eigen::Vector3d(0.015, -0.03, -0.03), Eigen::Vector3d(0.05, 0.03, 0.03));
+  const Outcome in_box = run(second);
+  QVERIFY2(in_box.status == Status::done, in_box.error.c_str());
+  QCOMPARE(of_lesion("lesion_1."), first);
+  Segment locked = coarse();
+  locked.options.structures = segmentation::kNoStructures;
+  locked.options.structures.lesions = true;
+  locked.options.locked = {structure::kFirstLesion};
+  QCOMPARE(run(locked).status, Status::done);
+  QCOMPARE(of_lesion("lesion_1."), first);
+  // All of it locked: there is nothing to be done, which is said.
+  locked.options.locked = {structure::kParenchyma};
+  const Notes before = told();
+  const Outcome refused = run(locked);
+  QVERIFY2(refused.error.find("lesions: is locked") != std::string::npos, refused.error.c_str());
+  // So it is where nothing was clicked.
+  Segment cava = coarse();
+  cava.options.structures = segmentation::kNoStructures;
+  cava.options.structures.vena_cava = true;
+  const Outcome unclicked = run(cava);
+  QVERIFY2(unclicked.error.find("vena_cava: has no point") != std::string::npos, unclicked.error.c_str());
+  QCOMPARE(told(), before);
 }
 
 QTEST_APPLESS_MAIN(LabelNotesTest)

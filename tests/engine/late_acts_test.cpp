@@ -12,6 +12,7 @@
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/decide_segmentation.h"
 #include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/edit_trees.h"
 #include "glisson/engine/commands/export_labels.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/import_labels.h"
@@ -170,6 +171,7 @@ void LateActsTest::WhatNobodyHasSeenIsNotAccepted() {
   QVERIFY(is_unseen(ChooseRival{0, seen}, "registration"));
   QVERIFY(is_unseen(CheckModel{{true}, std::make_shared<const model::BuiltModel>()}, "model"));
   QVERIFY(is_unseen(SetLandmarks{{}, std::make_shared<const model::BuiltModel>()}, "model"));
+  QVERIFY(is_unseen(EditTrees{{}, std::make_shared<const model::BuiltModel>()}, "model"));
   ReviewProposal review;
   review.seen = std::make_shared<const atlas::Transfer>();
   QVERIFY(is_unseen(review, "proposals"));

@@ -72,7 +72,8 @@ void RegistrationFileTest::ARegistrationsDoubtsTravelWithItsFile() {
   const TemporaryFolder folder;
   const CaseState state = small_case();
   Registration doubted = *state[part::registration];
-  doubted.doubts = {"cloud_noisy 6.25 3", "lesion_2.error_large 9.5 8", "little_surface_seen"};
+  doubted.doubts = {"cloud_noisy 6.25 3", "lesion_2.error_large 9.5 8", "little_surface_seen",
+                    "rival_chosen 1"};
   doubted.termination = Termination::stalled;
   doubted.residual = 2.5e-3;
   doubted.seen_share = 0.125;

@@ -9,6 +9,7 @@
 #include "glisson/engine/commands/decide_segmentation.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/hand_edits.h"
@@ -35,6 +36,7 @@ class SegmentByNetworkTest : public QObject {
   void ItNeedsNoSeedsAndNoLabels();
   void CorrectionsAreReplacedOnlyWhenThatWasSaid();
   void TheOfferIsDecidedAsAnyOther();
+  void SeedsAreNothingToIt();
   void WhatIsLockedAsksNobody();
   void ABadNetworkChangesNothing();
 
@@ -105,6 +107,25 @@ void SegmentByNetworkTest::TheOfferIsDecidedAsAnyOther() {
   QCOMPARE(labels().at({30, 15, 15}), structure::kBackground);
   QCOMPARE(done(UndoLabels{}).status, Status::done);
   QVERIFY(labels() == mine);
+}
+
+void SegmentByNetworkTest::SeedsAreNothingToIt() {
+  const auto click = [&](double x) {
+    segmentation::Seeds seeds;
+    seeds.liver = PointsIn<CtFrame>::Constant(1, 3, x);
+    QCOMPARE(done(SetSeeds{seeds}).status, Status::done);
+  };
+  click(0.03);
+  QCOMPARE(done(SegmentByNetwork{network_, {}}).status, Status::done);
+  click(0.04);
+  QCOMPARE(engine_->snapshot()->stage(part::labels), StageState::current);
+  correct();
+  QCOMPARE(done(SegmentByNetwork{network_, {}, OverHandWork::offer}).status, Status::done);
+  click(0.05);
+  const auto offer = state()[part::offer];
+  QCOMPARE(done(DecideSegmentation{Choice::take, offer->keeps_labels, offer}).status, Status::done);
+  click(0.06);
+  QCOMPARE(engine_->snapshot()->stage(part::labels), StageState::current);
 }
 
 void SegmentByNetworkTest::WhatIsLockedAsksNobody() {

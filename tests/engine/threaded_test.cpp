@@ -53,6 +53,7 @@ class ThreadedTest : public QObject {
   void EditsWaitForWorkThatTheyTouch();
   void NewestFrameWins();
   void LiveFramesGoOnBesideLongWork();
+  void WhatFollowedAFormerCaseIsLetGo();
   void TheDestructorCancelsAndJoins();
   void ManyThreadsMayPostAndCancel();
 };
@@ -204,6 +205,29 @@ void ThreadedTest::LiveFramesGoOnBesideLongWork() {
   gate->open();
   QCOMPARE(engine.wait(work).status, Status::done);
   QCOMPARE(engine.snapshot()->state[part::live]->overlay.index, 3);
+}
+
+/// Its model, its memory and its network are not kept beside another patient.
+void ThreadedTest::WhatFollowedAFormerCaseIsLetGo() {
+  Engine::Options made = options(Runner::threaded);
+  std::weak_ptr<int> alive;
+  made.make_follower = [&alive](const CaseState&, const StartTracking&) {
+    struct Follower : CountingFollower {
+      std::shared_ptr<int> life = std::make_shared<int>(0);
+    };
+    auto follower = std::make_unique<Follower>();
+    alive = follower->life;
+    return follower;
+  };
+  Engine engine(std::move(made));
+  QCOMPARE(engine.wait(engine.post(StartTracking{})).status, Status::done);
+  QVERIFY(engine.snapshot()->tracking && !alive.expired());
+  ImportImage other;
+  other.new_case = true;
+  QCOMPARE(engine.wait(engine.post(other)).status, Status::done);
+  QVERIFY(!engine.snapshot()->tracking);
+  engine.wait(engine.post(SetSeeds{}));  // the edits' thread has had its turn
+  QVERIFY(alive.expired());
 }
 
 void ThreadedTest::TheDestructorCancelsAndJoins() {

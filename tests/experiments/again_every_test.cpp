@@ -26,7 +26,9 @@ class AgainEveryTest : public QObject {
   void put_live(Validity validity, bool has_tissue) {
     engine::LiveState live;
     live.overlay.validity = validity;
-    if (has_tissue) live.tissue_at_start = std::make_shared<const Points>(Points::Zero(40, 3));
+    LabelledCloud tissue;
+    tissue.points = Points::Zero(40, 3);
+    if (has_tissue) live.tissue_at_start = std::make_shared<const LabelledCloud>(std::move(tissue));
     state_[part::live] = std::make_shared<const engine::LiveState>(live);
   }
   AgainEvery every(double seconds) {

@@ -42,6 +42,7 @@ class RivalsTest : public QObject {
   void TheChosenPlaceExplainsItsPoints();
   void ChosenTwiceTheFormerPlaceIsBack();
   void AChosenPlaceIsDoubtedByItsOwnFit();
+  void WhatTheRegistrationLeftOutOfTheCloudIsNoMisfit();
   void WhatWasRefusedStaysRefused();
   void ThereMustBeSuchAPlace();
 };
@@ -131,6 +132,28 @@ void RivalsTest::AChosenPlaceIsDoubtedByItsOwnFit() {
   QVERIFY(far.residual > kLargeResidual);
   QCOMPARE(doubts(far, "residual_large"), 1L);
   QCOMPARE(doubts(choose_rival(far, 0, model, cloud), "residual_large"), 0L);
+}
+
+void RivalsTest::WhatTheRegistrationLeftOutOfTheCloudIsNoMisfit() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  const Registration registration = with_rival(model, 9.0);
+  LabelledCloud cloud =
+      phantom::patch(model, registration.rivals[0].nodes_in_camera, {.share = 0.3, .noise = 0.0});
+  const Registration sound = choose_rival(registration, 0, model, cloud);
+  // Pixels without a depth, as an organised cloud has them.
+  const Eigen::Index count = cloud.points.rows(), without = count / 2;
+  cloud.points.conservativeResize(count + without, 3);
+  cloud.points.bottomRows(without).setZero();
+  cloud.normals.resize(0, 3);
+  cloud.features.clear();
+  cloud.sigma.clear();
+  const Registration chosen = choose_rival(registration, 0, model, cloud);
+  QVERIFY(std::abs(chosen.residual - sound.residual) < 1e-9);
+  QCOMPARE(chosen.doubts, sound.doubts);
+  // Of several looks the cloud is one: what all of them saw is not forgotten.
+  Registration of_many = registration;
+  of_many.seen_share = 0.7;
+  QCOMPARE(choose_rival(of_many, 0, model, cloud).seen_share, 0.7);
 }
 
 void RivalsTest::WhatWasRefusedStaysRefused() {

@@ -87,6 +87,7 @@ class CorrectAroundTest : public QObject {
   void AClickBindsHoweverNearAnotherLies();
   void AClickThatNothingSpeaksForTakesOnlyItsSurroundings();
   void OtherStructuresAndLocksStay();
+  void AClickInAnotherStructureSaysWhatLiesThere();
   void AnMriIsCorrectedAsACtIs();
   void WhatCannotBeIsRefused();
   void CancelledIsEmpty();
@@ -212,6 +213,32 @@ void CorrectAroundTest::OtherStructuresAndLocksStay() {
   const CorrectedAround locked = corrected(leaked, stomach_, {}, {structure::kFirstLesion});
   QCOMPARE(count(locked.labels, structure::kFirstLesion), count(leaked, structure::kFirstLesion));
   QCOMPARE(count(corrected(leaked, stomach_).labels, structure::kFirstLesion), 0L);
+}
+
+void CorrectAroundTest::AClickInAnotherStructureSaysWhatLiesThere() {
+  LabelMap labels = no_tumour_;
+  const auto voxel = [&](const Eigen::Vector3d& mm) {
+    return Eigen::Vector3i(
+        mm.cwiseQuotient(phantom_.image.grid.spacing_mm).array().round().matrix().cast<int>());
+  };
+  for (int k = -6; k <= 6; ++k)
+    for (int j = -6; j <= 6; ++j)
+      for (int i = -6; i <= 6; ++i)
+        labels.voxels.set(voxel(kTumour + Eigen::Vector3d(1.5 * i, 1.5 * j, 2.0 * k)), structure::kVenaCava);
+  // In its middle, and two millimetres before its border.
+  for (const double off : {0.0, 7.0}) {
+    const CorrectedAround taken =
+        corrected(labels, click_at(phantom_.image, kTumour + Eigen::Vector3d(off, 0, 0), true));
+    QCOMPARE(taken.notes, std::vector<std::string>{"seed.liver_taken 1 vena_cava"});
+    QCOMPARE(taken.voxels_changed, 0L);
+    QVERIFY(taken.labels.voxels == labels.voxels);
+  }
+  LabelMap lesion = leaked_;
+  lesion.voxels.set(voxel(kStomach), structure::kFirstLesion);
+  const CorrectedAround locked =
+      corrected(lesion, click_at(phantom_.image, kStomach, false), {}, {structure::kFirstLesion});
+  QCOMPARE(locked.notes, std::vector<std::string>{"seed.not_liver_taken 1 lesion_1"});
+  QCOMPARE(locked.voxels_changed, 0L);
 }
 
 void CorrectAroundTest::AnMriIsCorrectedAsACtIs() {

@@ -50,6 +50,14 @@ class PicturePairsTest : public QObject {
     QCOMPARE(text(picture_pairs(folder_->path())), std::string("a2:a2.bmp+a2.bmp a10:a10.bmp+a10.bmp "));
   }
 
+  void FilesOfOneNameArePairedByTheirFormat() {
+    make({"left/1.jpg", "left/1.png", "right/1.jpg", "right/1.png", "right/1.bmp"});
+    const PicturePairs found = picture_pairs(folder_->path());
+    QCOMPARE(text(found), std::string("1:1.jpg+1.jpg 1:1.png+1.png "));
+    QCOMPARE(found.alone.size(), std::size_t{1});
+    QCOMPARE(found.alone.front().filename(), fs::path("1.bmp"));
+  }
+
   void PatternsAreMatchedByNameAndElseInOrder() {
     make({"l/cam1_7.png", "l/cam1_12.png", "r/x3.png", "r/x1.png", "both/leftA.png", "both/rightA.png"});
     QCOMPARE(text(picture_pairs(folder_->path() / "l" / "cam*.png", folder_->path() / "r")),

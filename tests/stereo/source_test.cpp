@@ -147,6 +147,31 @@ class SourceTest : public QObject {
     }
   }
 
+  /// One frame that the other recorder dropped is no licence to end anywhere.
+  void ACutFileIsToldThoughAFrameWasDroppedBefore() {
+    const std::vector<int> all = {0, 40, 80, 120, 160, 200, 240, 280, 320, 360};
+    std::vector<int> dropped = all;
+    dropped.erase(dropped.begin() + 2);
+    const auto put = [&](const std::string& name, int view, const std::vector<int>& times) {
+      film(name, 64, 48, static_cast<int>(times.size()),
+           [=](int i, int x, int y) { return shade(view, i, x, y); });
+      const test::Retimer retimed(read_file(at(name)), times, 400.0);
+      write_file_atomically(at(name), retimed.content());
+    };
+    put("whole.mkv", 0, dropped);
+    put("cut.mkv", 1, all);
+    const auto read_all = [&] {
+      StereoVideo video(at("whole.mkv"), at("cut.mkv"));
+      int count = 0;
+      for (StereoFrame frame; video.read(frame); ++count) continue;
+      return std::pair(count, video.skipped());
+    };
+    QCOMPARE(read_all(), std::pair(9, 1));
+    const std::string whole = read_file(at("cut.mkv"));
+    write_file_atomically(at("cut.mkv"), whole.substr(0, whole.size() * 6 / 10));
+    QVERIFY_THROWS_EXCEPTION(InputError, read_all());
+  }
+
   void FramesHaveTheTimesOfTheirFile_data() {
     QTest::addColumn<bool>("separate");
     QTest::newRow("both views in a file") << false;

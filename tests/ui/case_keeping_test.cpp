@@ -23,6 +23,7 @@
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/set_regions.h"
 #include "glisson/engine/commands/set_seeds.h"
@@ -53,6 +54,8 @@ class CaseKeepingTest : public QObject {
   void WhereAFileDoesNotSayCtOrMriIsAsked();
   void WhatIsAskedIsOfTheImageThatCame();
   void AnotherCtIsAskedWhoseItIs();
+  void ACtBesideACaseThatIsBeingOpenedIsAskedAbout();
+  void WhatASaveTellsIsReadBeforeTheWindowCloses();
   void WhatCannotBeReadIsNobodys_data();
   void WhatCannotBeReadIsNobodys();
   void WhatSaysNoUnitIsAskedForIt();
@@ -89,7 +92,7 @@ class CaseKeepingTest : public QObject {
 
   std::unique_ptr<TemporaryFolder> folder_;
   std::unique_ptr<FakeOperation> operation_;
-  std::atomic<bool> save_waits_{false};
+  std::atomic<bool> save_waits_{false}, open_waits_{false}, save_tells_{false};
   std::optional<LengthUnit> cloud_unit_;  ///< of the last cloud that was imported
   std::unique_ptr<MainWindow> window_;
 };
@@ -98,7 +101,7 @@ void CaseKeepingTest::init() {
   folder_ = std::make_unique<TemporaryFolder>();
   operation_ = std::make_unique<FakeOperation>();
   make_box_operation(*operation_);
-  save_waits_ = false;
+  save_waits_ = open_waits_ = save_tells_ = false;
   cloud_unit_.reset();
   engine::Engine::Options options = operation_->options();
   options.apply = [this, fake = options.apply](
@@ -110,6 +113,15 @@ void CaseKeepingTest::init() {
         if (context.cancelled()) return {};
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
+    if (const auto* open = command.as<engine::OpenCase>()) {
+      while (open_waits_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      engine::Applied applied{engine::CaseState()};
+      Image former = operation_->ct;
+      former.description = "of the former patient";
+      applied.state[part::image] = std::make_shared<const Image>(std::move(former));
+      applied.state.path = open->path;
+      return applied;
+    }
     if (const auto* cloud = command.as<engine::ImportCloud>()) {
       cloud_unit_ = cloud->unit;
       return engine::Applied{state};
@@ -119,6 +131,8 @@ void CaseKeepingTest::init() {
       throw InputError(video->left.string(), "", "is no video", "Give another");
     auto applied = fake(state, command, context, services);
     if (video && applied) applied->figures["video_frames"] = 10.0;
+    if (command.as<engine::SaveCase>() && applied && save_tells_)
+      applied->notes = {"case.kept_changed a.json"};
     return applied;
   };
   window_ = std::make_unique<MainWindow>(options);
@@ -251,6 +265,36 @@ void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
   QVERIFY(open_and_answer("new_case"));
   QVERIFY(!engine().state()[part::seeds] && engine().state().path.empty());
   QVERIFY(window_->isWindowModified());
+}
+
+/// Two patients would be one case, under the first one's name.
+void CaseKeepingTest::ACtBesideACaseThatIsBeingOpenedIsAskedAbout() {
+  open_waits_ = true;
+  window_->open("former.glisson/case.json");
+  window_->open("ct.nii");
+  open_waits_ = false;
+  QTRY_VERIFY(whose() != nullptr);
+  QVERIFY(settle());
+  QCOMPARE(engine().state()[part::image]->description, std::string("of the former patient"));
+  QTest::mouseClick(whose()->button(QMessageBox::Cancel), Qt::LeftButton);
+  QVERIFY(settle());
+  QCOMPARE(engine().state()[part::image]->description, std::string("of the former patient"));
+}
+
+void CaseKeepingTest::WhatASaveTellsIsReadBeforeTheWindowCloses() {
+  QVERIFY(open_and_save());
+  engine().post(engine::SetSeeds{});
+  QVERIFY(settle());
+  QTRY_VERIFY(window_->isWindowModified());
+  save_tells_ = true;
+  QVERIFY(close_and_answer(QMessageBox::Save));
+  QVERIFY(settle());
+  const auto problem = [this] { return window_->findChild<QMessageBox*>(QStringLiteral("problem")); };
+  QTRY_VERIFY(problem() != nullptr && problem()->isVisible());
+  QVERIFY(window_->isVisible());
+  QVERIFY(problem()->text().contains(QStringLiteral("a.json")));
+  QTest::mouseClick(problem()->button(QMessageBox::Ok), Qt::LeftButton);
+  QTRY_VERIFY(!window_->isVisible());
 }
 
 void CaseKeepingTest::WhatCannotBeReadIsNobodys_data() {

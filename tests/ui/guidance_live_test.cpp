@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guidance panel tells while the organ is followed, and of the last picture when it ends.
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -39,6 +40,7 @@ class GuidanceLiveTest : public QObject, protected GuidanceWindow {
   void OverTheLastPictureKeysTakeNoRegistrationBack();
   void OverTheLastPictureAHandSeesWhatItPlaces();
   void InAPauseTheOverlayGoesWithItsRegistration();
+  void WhatIsDrawnForHandsIsKnownAsRefuted();
   void APictureOfUnknownAgeIsNotLive();
 };
 
@@ -260,6 +262,26 @@ void GuidanceLiveTest::InAPauseTheOverlayGoesWithItsRegistration() {
   QTRY_COMPARE_WITH_TIMEOUT(level(), Level::withdrawn, 20000);
   QVERIFY(*picture().bytes != *drawn.bytes);
   QVERIFY2(said().contains(QStringLiteral("Paused")), qPrintable(said()));
+}
+
+/// A recording and a kept moment tell what the organ's surface has said, though a proposal is drawn.
+void GuidanceLiveTest::WhatIsDrawnForHandsIsKnownAsRefuted() {
+  reach_registration(300);
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  operation_->live_validity = Validity::surface_apart;
+  const auto validity = [this] { return panel().live().on_screen().overlay.validity; };
+  QTRY_COMPARE_WITH_TIMEOUT(validity(), Validity::surface_apart, 20000);
+  QTest::keyClick(const_cast<ui::LivePicture*>(&live_view().picture()), Qt::Key_Space);
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Paused at frame")), 20000);
+  QVERIFY(rests());
+  const Picture withdrawn = picture();
+  auto* correct = window_->findChild<QAbstractButton*>(QStringLiteral("correct_by_hand"));
+  correct->click();
+  QTRY_VERIFY(*picture().bytes != *withdrawn.bytes);  // the outline
+  QCOMPARE(validity(), Validity::surface_apart);
+  correct->click();
+  QTRY_VERIFY(*picture().bytes == *withdrawn.bytes);
 }
 
 void GuidanceLiveTest::APictureOfUnknownAgeIsNotLive() {

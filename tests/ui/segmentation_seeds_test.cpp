@@ -383,10 +383,12 @@ void SegmentationSeedsTest::AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff(
   press("seed_background");
   click({0.0, -0.03, 0.0});
   QCOMPARE(count(structure::kParenchyma), liver);
+  QVERIFY2(notes().contains(QLatin1String("counts when you segment again")), qPrintable(notes()));
   press("correct_at_once");
   click_mark(structure::kParenchyma, ui::LabelTable::locked);
   click({0.0, -0.032, 0.0});
   QCOMPARE(count(structure::kParenchyma), liver);
+  QVERIFY2(notes().contains(QLatin1String("Locked: this click changes nothing.")), qPrintable(notes()));
   QCOMPARE(window_->engine().state()[part::seeds]->background.rows(), Eigen::Index{3});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/texts.h"
+#include "glisson/core/note_value.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/registration/next_look.h"
 
@@ -39,6 +40,9 @@ void TextsTest::NotesAreSentencesWithTheirValues() {
   for (const char* code :
        {"seed.liver_apart 4", "seed.liver_taken 4 vena_cava", "seed.not_liver_taken 2 lesion_1"})
     QVERIFY(!ui::note_text(code).contains(QLatin1Char('%')));
+  // Names come whole, whatever they hold.
+  QCOMPARE(ui::note_text("surfaces.of_one_name " + note_value("liver 50%: old.stl") + " liver.ply"),
+           QStringLiteral("The file liver 50%: old.stl was not used: liver.ply shows the same structure."));
   QCOMPARE(ui::notes_text({"liver.small", "liver.large"}).count(QLatin1Char('\n')), 1);
 }
 

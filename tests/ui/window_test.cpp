@@ -15,6 +15,7 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QTranslator>
 #include <QWheelEvent>
@@ -56,6 +57,7 @@ class WindowTest : public QObject, private OperatedWindow {
   void EditMakesLaterStepsStale();
   void RefusedRegistrationDoesNotLookDone();
   void LiveViewPlaysShowsAgeAndRecords();
+  void ClosingBringsARecordingToItsEnd();
   void WholePathByMouse();
 };
 
@@ -278,6 +280,32 @@ void WindowTest::LiveViewPlaysShowsAgeAndRecords() {
   stereo::StereoVideo recorded(file.toStdString());
   QVERIFY(recorded.frame_count() > 5);
   QCOMPARE(recorded.height(), operation_->rig.left.height);
+}
+
+/// A film that is cut short cannot be played.
+void WindowTest::ClosingBringsARecordingToItsEnd() {
+  reach_registration();
+  window_->show_step(MainWindow::guidance);
+  auto* panel = window_->findChild<ui::GuidancePanel*>();
+  QTRY_VERIFY_WITH_TIMEOUT(panel->pictures_shown() > 0, 20000);
+  const QString file = QString::fromStdString((folder_->path() / "live.mkv").string());
+  press("start_tracking");
+  QTRY_VERIFY(window_->engine().snapshot()->tracking);
+  panel->record_to(file);
+  const int before = panel->pictures_shown();
+  QTRY_VERIFY_WITH_TIMEOUT(panel->pictures_shown() > before + 3, 20000);
+  QTimer answers;
+  connect(&answers, &QTimer::timeout, this, [&] {
+    if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+      if (auto* discard = question->button(QMessageBox::Discard)) discard->click();
+  });
+  answers.start(10);
+  bool was_visible = false;
+  connect(panel, &ui::Panel::wound_up, this, [&] { was_visible = window_->isVisible(); });
+  window_->close();
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->isVisible(), 20000);
+  QVERIFY(was_visible);  // until the film was there
+  QVERIFY(stereo::StereoVideo(file.toStdString()).frame_count() > 0);
 }
 
 void WindowTest::WholePathByMouse() {

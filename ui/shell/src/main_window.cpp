@@ -29,6 +29,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/patient_held.h"
 #include "glisson/engine/surface_export.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/being_made.h"
@@ -298,6 +299,7 @@ void MainWindow::ask_whose(const engine::ImportImage& image) {
 
 QDialog* MainWindow::show_problem(const QString& sentence) {
   auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), sentence, QMessageBox::Ok, this);
+  box->setObjectName(QStringLiteral("problem"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();  // does not stop the window
   return box;
