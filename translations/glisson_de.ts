@@ -10382,8 +10382,8 @@
         <translation>3D Slicer, CustusX oder PLUS können dem folgen, was hier verfolgt wird.</translation>
     </message>
     <message>
-        <source>The recording is being brought to its end. Then the window closes.</source>
-        <translation>Die Aufnahme wird zu Ende gebracht. Danach schließt sich das Fenster.</translation>
+        <source>The recording is being brought to its end. If all went well, the window closes then.</source>
+        <translation>Die Aufnahme wird zu Ende gebracht. Ging alles gut, schließt sich danach das Fenster.</translation>
     </message>
 </context>
 <context>

@@ -10382,8 +10382,8 @@
         <translation>3D Slicer, CustusX ou PLUS peuvent suivre ce qui est suivi ici.</translation>
     </message>
     <message>
-        <source>The recording is being brought to its end. Then the window closes.</source>
-        <translation>L&apos;enregistrement est en cours d&apos;achèvement. La fenêtre se fermera ensuite.</translation>
+        <source>The recording is being brought to its end. If all went well, the window closes then.</source>
+        <translation>L&apos;enregistrement est en cours d&apos;achèvement. Si tout va bien, la fenêtre se fermera ensuite.</translation>
     </message>
 </context>
 <context>

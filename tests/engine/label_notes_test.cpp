@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/correct_around.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/export_labels.h"
 #include "glisson/engine/commands/import_image.h"
@@ -60,6 +61,7 @@ class LabelNotesTest : public QObject {
  private slots:
   void init();
   void TheyComeBackWithTheCase();
+  void AClickThatCorrectsTakesNoneAway();
   void TheyGoBackAndForthWithTheSteps();
   void WhatIsToldOfAKeptLiverOutlastsANewSearchInIt();
   void WhatLiesOutsideOfARegionOrIsLockedIsToldStill();
@@ -98,6 +100,15 @@ void LabelNotesTest::TheyComeBackWithTheCase() {
   QCOMPARE(run(ImportImage{path("ct.nrrd")}).status, Status::done);
   QCOMPARE(run(OpenCase{path("a.glisson")}).status, Status::done);
   QCOMPARE(told(), before);
+}
+
+void LabelNotesTest::AClickThatCorrectsTakesNoneAway() {
+  const Notes before = told();
+  CorrectAround click{{{Point<CtFrame>(Eigen::Vector3d(0.0, 0.0, 0.03)), false}}, {}, {}};
+  const Outcome corrected = run(click);
+  QVERIFY2(corrected.status == Status::done, corrected.error.c_str());
+  QVERIFY(corrected.figures.at("voxels_changed") > 0.0);
+  for (const std::string& note : before) QVERIFY2(tells(told(), note.c_str()), note.c_str());
 }
 
 void LabelNotesTest::TheyGoBackAndForthWithTheSteps() {
@@ -171,7 +182,7 @@ void LabelNotesTest::WhatLiesOutsideOfARegionOrIsLockedIsToldStill() {
   locked.options.locked = {structure::kParenchyma};
   const Notes before = told();
   const Outcome refused = run(locked);
-  QVERIFY2(refused.error.find("lesions: is locked") != std::string::npos, refused.error.c_str());
+  QVERIFY2(refused.error.find("liver: is locked") != std::string::npos, refused.error.c_str());
   // So it is where nothing was clicked.
   Segment cava = coarse();
   cava.options.structures = segmentation::kNoStructures;

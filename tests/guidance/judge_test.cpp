@@ -30,6 +30,7 @@ class JudgeTest : public QObject, private phantom::JudgedFilm {
   void APartThatIsLiftedIsWithdrawn();
   void AToolInFrontIsNoLiftedOrgan();
   void AToolThatHoldsTheOrganIsNoTissue();
+  void TheScopeIsToldWhereItStoodBeforeTheShape();
   void WhatAMaskCoversIsNotKeptAndJudgedAllTheSame();
   void WhatLiesNearerIsTheOrganByItsBorderOrItsPoints();
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
@@ -228,6 +229,16 @@ void JudgeTest::AToolThatHoldsTheOrganIsNoTissue() {
   QVERIFY2(far_from_it(evidence) == 0, qPrintable(QString::number(far_from_it(evidence))));
   QVERIFY2(evidence.tissue.size() > 0.5 * static_cast<double>(open.tissue.size()),
            qPrintable(QString("%1 of %2").arg(evidence.tissue.size()).arg(open.tissue.size())));
+}
+
+void JudgeTest::TheScopeIsToldWhereItStoodBeforeTheShape() {
+  SurfaceCheck check(model_, rig_, {});
+  Rigid<CameraFrame, CameraFrame> since;  // the scope has gone on: the shape is before its former place
+  since.rotation = rotation_by({0.1, -0.3, 0.2});
+  since.translation = Eigen::Vector3d(0.03, -0.01, 0.02);
+  const SurfaceEvidence evidence = check.check(first_.left, first_.right, nodes_, since.apply(nodes_));
+  QVERIFY(evidence.tissue.size() > 100);
+  QVERIFY((evidence.eye - since.translation).norm() < 1e-6);
 }
 
 void JudgeTest::WhatAMaskCoversIsNotKeptAndJudgedAllTheSame() {

@@ -150,10 +150,11 @@ void RivalsTest::WhatTheRegistrationLeftOutOfTheCloudIsNoMisfit() {
   const Registration chosen = choose_rival(registration, 0, model, cloud);
   QVERIFY(std::abs(chosen.residual - sound.residual) < 1e-9);
   QCOMPARE(chosen.doubts, sound.doubts);
-  // Of several looks the cloud is one: what all of them saw is not forgotten.
+  // Where the cloud is one of several looks, what all of them saw is not forgotten.
   Registration of_many = registration;
   of_many.seen_share = 0.7;
-  QCOMPARE(choose_rival(of_many, 0, model, cloud).seen_share, 0.7);
+  QCOMPARE(choose_rival(of_many, 0, model, cloud, true).seen_share, 0.7);
+  QCOMPARE(choose_rival(of_many, 0, model, cloud).seen_share, sound.seen_share);
 }
 
 void RivalsTest::WhatWasRefusedStaysRefused() {

@@ -56,6 +56,8 @@ class PicturePairsTest : public QObject {
     QCOMPARE(text(found), std::string("1:1.jpg+1.jpg 1:1.png+1.png "));
     QCOMPARE(found.alone.size(), std::size_t{1});
     QCOMPARE(found.alone.front().filename(), fs::path("1.bmp"));
+    make({"left/1.bmp", "left/1.jpg", "right/1.jpg", "right/1.png"});
+    QCOMPARE(text(picture_pairs(folder_->path())), std::string("1:1.bmp+1.png 1:1.jpg+1.jpg "));
   }
 
   void PatternsAreMatchedByNameAndElseInOrder() {

@@ -68,9 +68,9 @@ class OperatedWindow {
     window_->engine().post(engine::BuildModel{});
     QVERIFY(settle());
   }
-  void reach_registration() {
+  void reach_registration(int frames = 40) {
     reach_model();
-    operation_->film(folder_->path() / "scope.mkv", 40);
+    operation_->film(folder_->path() / "scope.mkv", frames);
     window_->engine().post(engine::SetCalibration{"scope.yml"});
     window_->engine().post(engine::SetVideo{operation_->video, {}});
     window_->engine().post(engine::LoadVideoFrame{2});

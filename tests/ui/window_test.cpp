@@ -284,7 +284,7 @@ void WindowTest::LiveViewPlaysShowsAgeAndRecords() {
 
 /// A film that is cut short cannot be played.
 void WindowTest::ClosingBringsARecordingToItsEnd() {
-  reach_registration();
+  reach_registration(600);
   window_->show_step(MainWindow::guidance);
   auto* panel = window_->findChild<ui::GuidancePanel*>();
   QTRY_VERIFY_WITH_TIMEOUT(panel->pictures_shown() > 0, 20000);

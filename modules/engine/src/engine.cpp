@@ -251,12 +251,14 @@ struct Engine::Impl final : LiveLanes {
     frame.reset();
   }
   /// What followed the former case's organ goes, with its memory and its network. Its end may take a while.
-  void let_go_of_former(std::unique_lock<std::mutex>& lock) {
-    if (!follower || current->tracking) return;
+  /// @return whether there was one: the lock was let go of meanwhile.
+  bool let_go_of_former(std::unique_lock<std::mutex>& lock) {
+    if (!follower || current->tracking) return false;
     auto former = std::exchange(follower, nullptr);
     lock.unlock();
     former.reset();
     lock.lock();
+    return true;
   }
   void set_tracking(bool on) {
     live = {};
@@ -326,7 +328,7 @@ struct Engine::Impl final : LiveLanes {
   void serve_edits() {
     std::unique_lock lock(mutex);
     while (!stopping) {
-      let_go_of_former(lock);
+      if (let_go_of_former(lock)) continue;
       if (const auto job = take_ready(Lane::edits)) {
         lock.unlock();
         run(job);

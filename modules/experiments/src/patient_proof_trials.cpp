@@ -185,8 +185,7 @@ class Trials {
     return segmentation::dice(inside_liver(result->labels), truth);
   }
 
-  /// Dice of both trees in the true liver; nothing where the truth has none, or where it is told that the
-  /// tree does not stand out.
+  /// Dice of both trees in the true liver; nothing where the truth has none.
   struct TreeDice {
     std::vector<double> portal, hepatic;
   };

@@ -150,15 +150,17 @@ void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::V
   }
 }
 
-/// Looks by the same measure as the lesions' errors.
+/// Looks by the same measure as the lesions' errors; of a lesion whose error is not known there is none.
 void size_looks(const std::vector<LesionError>& lesions, std::vector<LesionLooks>& looks) {
-  for (LesionLooks& look : looks)
-    for (const LesionError& lesion : lesions) {
-      if (lesion.lesion != look.lesion || !(look.now > 0.0)) continue;
-      const double factor = lesion.expected / look.now;
-      look.now *= factor, look.margin *= factor, look.notch *= factor;
-      look.seen *= factor;
-    }
+  const auto error_of = [&](Label label) { return std::ranges::find(lesions, label, &LesionError::lesion); };
+  std::erase_if(looks, [&](const LesionLooks& look) {
+    return error_of(look.lesion) == lesions.end() || !(look.now > 0.0);
+  });
+  for (LesionLooks& look : looks) {
+    const double factor = error_of(look.lesion)->expected / look.now;
+    look.now *= factor, look.margin *= factor, look.notch *= factor;
+    look.seen *= factor;
+  }
 }
 
 /// Each doubt once: the rigid start and the elastic stages may share one.

@@ -68,7 +68,7 @@ double distance_of(const RegistrationRival& rival, const Registration& registrat
 }
 
 Registration choose_rival(const Registration& registration, std::size_t which, const PatientModel& model,
-                          const LabelledCloud& cloud) {
+                          const LabelledCloud& cloud, bool is_one_of_looks) {
   if (which >= registration.rivals.size())
     throw InputError("registration", "rival",
                      "there are " + std::to_string(registration.rivals.size()) + " other places, not " +
@@ -91,8 +91,7 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
   surface.move(chosen.nodes_in_camera);
   CloudFaults known;  // told when it was registered
   const PointsIn<CameraFrame> points = sound_cloud(cloud, true, known).points;
-  // Of several joined looks the cloud is one: together they see more.
-  chosen.seen_share = std::max(registration.seen_share, seen_share(surface.mesh(), points));
+  if (!is_one_of_looks) chosen.seen_share = seen_share(surface.mesh(), points);
   chosen.residual = summarise(distances_to_surface(points, surface.mesh())).mean;
   std::erase_if(chosen.doubts, [](const std::string& doubt) {
     return doubt.starts_with("rival_chosen") || doubt == "residual_large" || doubt == "little_surface_seen";

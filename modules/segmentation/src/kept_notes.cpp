@@ -16,23 +16,26 @@ constexpr std::array<std::string_view, 6> kToldEachTime = {"liver.cut_off",
                                                            "hepatic_veins.hold_cava",
                                                            "hepatic_veins.beside_cava"};
 
-/// What a note is about; none: no structure that is found.
-std::optional<Label> structure_of(std::string_view code) {
+bool is_told_each_time(std::string_view code) {
+  return code.starts_with("image.") || std::ranges::find(kToldEachTime, code) != kToldEachTime.end();
+}
+
+/// What a note is about; background: no single structure.
+Label structure_of(std::string_view code) {
   const std::string_view of = code.substr(0, code.find('.'));
   if (of == "liver" || of == "seed") return structure::kParenchyma;
-  return structure_named(std::string(of));
+  return structure_named(std::string(of)).value_or(structure::kBackground);
 }
 
 }  // namespace
 
-std::vector<std::string> with_kept_notes(const std::vector<std::string>& former,
-                                         const std::function<bool(Label)>& is_kept,
+std::vector<std::string> with_kept_notes(const std::vector<std::string>& former, const PartlyAnew& anew,
                                          std::vector<std::string> told) {
   const auto holds = [&](const std::string& note) {
     const std::string_view code = std::string_view(note).substr(0, note.find(' '));
-    const auto label = structure_of(code);
-    return label && is_kept(*label) && std::ranges::find(kToldEachTime, code) == kToldEachTime.end() &&
-           std::ranges::find(told, note) == told.end();
+    if (anew.is_whole && is_told_each_time(code)) return false;
+    if (!anew.is_kept(structure_of(code)) || (anew.is_answered && anew.is_answered(note))) return false;
+    return std::ranges::find(told, note) == told.end();
   };
   std::vector<std::string> all;
   std::ranges::copy_if(former, std::back_inserter(all), holds);

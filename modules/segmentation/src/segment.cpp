@@ -249,19 +249,25 @@ bool is_found_anew(Label label, const SegmentationOptions& options, const Volume
 
 namespace {
 
-/// @throws InputError there is nothing to be done.
-void require_some(const SegmentationOptions& options, const Structures& anew) {
-  std::optional<InputError> first;
-  const Structures open = unlocked(options.structures, options.locked);
-  for (const auto& [code, structure] : kStructureCodes) {
+/// Why a structure that was asked for is not looked for. @param without_locks what would be, were nothing
+/// locked.
+InputError hindrance(const char* code, bool Structures::*structure, const SegmentationOptions& options,
+                     const Structures& without_locks) {
+  if (!(without_locks.*structure))
+    return {"seeds", code, options.region ? "has no point in the region" : "has no point",
+            "Click it first, or find something else anew"};
+  const bool is_within = structure != &Structures::vena_cava && structure != &Structures::gallbladder;
+  const bool by_liver = is_within && is_among(options.locked, structure::kParenchyma);
+  return {"labels", by_liver ? "liver" : code, "is locked", "Unlock it, or find something else anew"};
+}
+
+/// @param without_locks as in hindrance(). @throws InputError there is nothing to be done.
+void require_some(const SegmentationOptions& options, const Structures& anew,
+                  const Structures& without_locks) {
+  for (const auto& [code, structure] : kStructureCodes)
     if (anew.*structure) return;
-    if (first || !(options.structures.*structure)) continue;
-    first = open.*structure
-                ? InputError("seeds", code, options.region ? "has no point in the region" : "has no point",
-                             "Click it first, or find something else anew")
-                : InputError("labels", code, "is locked", "Unlock it, or find something else anew");
-  }
-  if (first) throw *first;
+  for (const auto& [code, structure] : kStructureCodes)
+    if (options.structures.*structure) throw hindrance(code, structure, options, without_locks);
 }
 
 /// segment() on the scale of a CT. @pre the input is checked.
@@ -272,7 +278,7 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   const Image image = part_of(whole, box);
   const Seeds seeds = part_of(unlocked(all_seeds, options.locked), image.grid, options.region);
   const Structures anew = found_anew(unlocked(options.structures, options.locked), seeds);
-  require_some(options, anew);
+  require_some(options, anew, found_anew(options.structures, part_of(all_seeds, image.grid, options.region)));
   std::optional<Kept> kept_part;
   if (all_kept != nullptr) {
     kept_part = Kept{part_of(*all_kept, box), {}};

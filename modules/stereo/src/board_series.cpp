@@ -35,14 +35,16 @@ bool add_pairs(BoardViews& views, const std::vector<PicturePair>& pairs, const R
 bool add_frames(BoardViews& views, StereoVideo& video, const RunContext& context, const BoardTold& told) {
   constexpr int kLooks = 60;  // a second each
   const int frames = video.frame_count();
-  // Of a video that does not tell its length, a look a second of its first minute.
+  // Of a video that does not tell its length, a look a second.
   const int a_second = std::max(1, static_cast<int>(std::lround(video.frames_per_second())));
   const int step = frames > 0 ? std::max(1, frames / kLooks) : a_second;
   for (StereoFrame frame; video.read(frame);) {
     if (frame.index % step != 0) continue;
     if (context.cancelled()) return false;
-    if (frames <= 0 && frame.index >= kLooks * step) break;
-    context.progress(std::min(1.0, frame.index / (frames > 0 ? 1.0 * frames : 1.0 * kLooks * step)), kStage);
+    const double looked = frame.index / static_cast<double>(step);
+    context.progress(
+        frames > 0 ? std::min(1.0, frame.index / static_cast<double>(frames)) : looked / (looked + kLooks),
+        kStage);
     add(views, "frame " + std::to_string(frame.index), frame.left, frame.right, told);
   }
   return true;

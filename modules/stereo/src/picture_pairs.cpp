@@ -128,24 +128,28 @@ std::string pair_name(const std::string& rest, const fs::path& left) {
   return first == std::string::npos ? left.stem().string() : rest.substr(first, last - first + 1);
 }
 
-/// Of two files of one name, as 1.jpg and 1.png, each takes the other view's of its own format.
+/// Of two files of one name, as 1.jpg and 1.png, each takes the other view's of its own format, and what is
+/// left then any other's.
 PicturePairs matched(const std::vector<fs::path>& left, const std::vector<fs::path>& right) {
   std::multimap<std::string, fs::path> partners;
   for (const fs::path& file : right) partners.emplace(named(file).rest, file);
-  PicturePairs result;
-  for (const fs::path& file : left) {
-    const std::string rest = named(file).rest;
-    const auto [begin, end] = partners.equal_range(rest);
-    if (begin == end) {
-      result.alone.push_back(file);
-      continue;
-    }
-    const auto alike = std::find_if(begin, end, [&](const auto& partner) {
-      return lower_extension(partner.second) == lower_extension(file);
+  const auto take = [&](const fs::path& file, bool of_its_format) -> fs::path {
+    const auto [begin, end] = partners.equal_range(named(file).rest);
+    const auto partner = std::find_if(begin, end, [&](const auto& one) {
+      return !of_its_format || lower_extension(one.second) == lower_extension(file);
     });
-    const auto partner = alike == end ? begin : alike;
-    result.pairs.push_back({pair_name(rest, file), file, partner->second});
-    partners.erase(partner);
+    return partner == end ? fs::path() : partners.extract(partner).mapped();
+  };
+  std::vector<fs::path> of_left;
+  of_left.reserve(left.size());
+  for (const fs::path& file : left) of_left.push_back(take(file, true));
+  PicturePairs result;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (of_left[i].empty()) of_left[i] = take(left[i], false);
+    if (of_left[i].empty())
+      result.alone.push_back(left[i]);
+    else
+      result.pairs.push_back({pair_name(named(left[i]).rest, left[i]), left[i], of_left[i]});
   }
   for (const auto& [rest, file] : partners) result.alone.push_back(file);
   return result;

@@ -42,10 +42,7 @@ void CorrectionModel::read_case() {
   is_offered = playback_.is_playing && !review_.is_reviewing;
   if (!is_offered) {
     is_correcting = false;
-    if (held_ && has_arrived_) {  // what a hand has drawn so far stands
-      note_last();
-      has_arrived_ = false;
-    }
+    settle();
     held_.reset();
     ends_ = gives_up_ = false;
     line = std::optional<Line>();
@@ -172,6 +169,12 @@ void CorrectionModel::finish(const engine::Outcome& outcome) {
   if (has_arrived_) note_last();
   has_arrived_ = false;
   if (is_done) say(standing());
+}
+
+void CorrectionModel::settle() {
+  if (!held_ || !has_arrived_) return;
+  note_last();
+  has_arrived_ = false;
 }
 
 void CorrectionModel::note_last() {

@@ -116,7 +116,7 @@ void GuidancePanel::join_hands() {
 QString GuidancePanel::wind_up() {
   if (!recording_.is_recording) return {};
   recording_.stop();
-  return tr("The recording is being brought to its end. Then the window closes.");
+  return tr("The recording is being brought to its end. If all went well, the window closes then.");
 }
 
 void GuidancePanel::leave_former() {

@@ -451,7 +451,8 @@ void LiveViewModel::show_freshness() {
                      .arg(shown_.index)
                      .arg(1e3 * age, 0, 'f', 0)
                      .arg(rate(), 0, 'f', 1);
-  const Level level = shown_.level();
+  const bool draws_refuted = on_screen_.made_from && on_screen_.made_from->draws_refuted;
+  const Level level = draws_refuted ? Level::degraded : shown_.level();
   const QString why = QString::fromStdString(scene::validity_text(shown_.validity));
   if (level == Level::withdrawn) text += tr("   NO OVERLAY: %1").arg(why);
   if (level == Level::degraded) text += tr("   OUTLINE ONLY: %1").arg(why);

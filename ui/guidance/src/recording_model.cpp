@@ -76,6 +76,7 @@ void RecordingModel::stop() {
 }
 
 void RecordingModel::begin_end() {
+  correction_.settle();  // a hand may hold the organ still
   if (!is_ending) lines_ = lines_now();
   is_ending = true;
 }

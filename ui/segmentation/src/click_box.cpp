@@ -52,7 +52,8 @@ bool ClickBox::corrects(Label structure) {
       state[part::image] && state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
   const bool can_grow = structure == structure::kParenchyma || structure == structure::kBackground ||
                         segmentation::grows_around(structure);
-  if (locked_.contains(structure::kParenchyma) || locked_.contains(structure))
+  const bool is_held = can_grow && locked_.contains(structure::kParenchyma);
+  if (is_held || locked_.contains(structure))
     words_->setText(tr("Locked: this click changes nothing."));
   else if (!at_once_->isChecked() || !fits || !can_grow)
     words_->setText(tr("This click changes nothing now. It counts when you segment again."));

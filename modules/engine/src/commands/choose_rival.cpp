@@ -2,6 +2,7 @@
 #include "glisson/engine/commands/choose_rival.h"
 
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
@@ -22,8 +23,9 @@ CommandTraits ChooseRival::traits() const {
 
 Cancellable<Applied> ChooseRival::apply(const CaseState& state, const RunContext&) const {
   require_seen(state, part::registration, seen);
-  Registration chosen = registration::choose_rival(*state[part::registration], rival,
-                                                   state[part::model]->model, *state[part::cloud]);
+  Registration chosen =
+      registration::choose_rival(*state[part::registration], rival, state[part::model]->model,
+                                 *state[part::cloud], !looks_to_join(state).empty());
   Applied applied{state, figures_of(chosen), told_of(chosen)};
   keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(chosen));

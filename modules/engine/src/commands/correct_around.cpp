@@ -71,8 +71,10 @@ void put(CaseState& state, const CorrectAround& command, Corrected made) {
   const auto before = state[part::labels];
   std::set<Label> grown;
   for (const segmentation::StructureClick& click : command.grown) grown.insert(click.structure);
-  std::vector<std::string> notes = segmentation::with_kept_notes(
-      told_of_labels(state), [&](Label label) { return !grown.contains(label); }, std::move(made.notes));
+  segmentation::PartlyAnew anew;
+  anew.is_kept = [&](Label label) { return !grown.contains(label); };
+  std::vector<std::string> notes =
+      segmentation::with_kept_notes(told_of_labels(state), anew, std::move(made.notes));
   put_edited_labels(state, *before, {std::move(made.labels), std::move(notes)},
                     step::correct_around.name(label_of(command)), 0);
 }

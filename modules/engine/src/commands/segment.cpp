@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/segment.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "found_labels.h"
 #include "glisson/engine/parts/image.h"
@@ -13,6 +17,25 @@
 namespace glisson::engine {
 namespace {
 
+/// Whether a search in a region has looked again into what a former note tells: of the region's border, of a
+/// click that lies in it, of what is told once more with another value.
+bool is_answered(const std::string& note, const Eigen::AlignedBox3d& region, const segmentation::Seeds& seeds,
+                 const std::vector<std::string>& told) {
+  const std::string code = note.substr(0, note.find(' '));
+  if (code == "liver.cut_by_region") return true;
+  const Points* clicks = code == "seed.not_liver_taken"                 ? &seeds.background
+                         : code.starts_with("seed.")                    ? &seeds.liver
+                         : code == "portal_vein.click_without_effect"   ? &seeds.portal_vein
+                         : code == "hepatic_veins.click_without_effect" ? &seeds.hepatic_veins
+                                                                        : nullptr;
+  if (clicks == nullptr)
+    return std::ranges::any_of(told,
+                               [&](const std::string& now) { return now.substr(0, now.find(' ')) == code; });
+  const int number = code.size() < note.size() ? std::atoi(note.c_str() + code.size()) : 0;
+  // One that is not there any more was taken away for it.
+  return number < 1 || number > clicks->rows() || region.contains(clicks->row(number - 1).transpose());
+}
+
 Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, const RunContext& context,
                                const Services& services) {
   const Image& image = *state[part::image];
@@ -20,15 +43,22 @@ Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, c
   auto segmented = segmentation::segment(image, *state[part::seeds], command.options, context, kept,
                                          services.show_evolving);
   if (!segmented) return {};
+  const segmentation::Seeds& seeds = *state[part::seeds];
+  segmentation::PartlyAnew anew;
+  anew.is_whole = true;
   // In a region all but lesions is found anew in part.
-  const auto is_kept = [&](Label label) {
-    return kept != nullptr &&
-           ((command.options.region && !is_lesion(label)) ||
-            !segmentation::is_found_anew(label, command.options, image.grid, *state[part::seeds]));
+  anew.is_kept = [&](Label label) {
+    const bool in_part = command.options.region && !is_lesion(label);
+    return kept != nullptr && (label == structure::kBackground || in_part ||
+                               !segmentation::is_found_anew(label, command.options, image.grid, seeds));
   };
+  if (command.options.region)
+    anew.is_answered = [&](const std::string& note) {
+      return is_answered(note, *command.options.region, seeds, segmented->report.notes);
+    };
   return FoundLabels{
       std::move(segmented->labels),
-      segmentation::with_kept_notes(told_of_labels(state), is_kept, std::move(segmented->report.notes)),
+      segmentation::with_kept_notes(told_of_labels(state), anew, std::move(segmented->report.notes)),
       state[part::seeds]};
 }
 

@@ -21,12 +21,13 @@ Cancellable<FoundLabels> found(const SegmentByNetwork& command, const network::L
                                             context, state[part::labels].get());
   if (!labelled) return {};
   tiles = labelled->tiles;
-  const auto is_kept = [&](Label label) {
+  segmentation::PartlyAnew anew;
+  anew.is_kept = [&](Label label) {
+    if (label == structure::kBackground) return state[part::labels] != nullptr;
     return !sheet.finds(label) || std::ranges::find(command.locked, label) != command.locked.end();
   };
-  return FoundLabels{
-      std::move(labelled->labels),
-      segmentation::with_kept_notes(told_of_labels(state), is_kept, std::move(labelled->notes))};
+  return FoundLabels{std::move(labelled->labels),
+                     segmentation::with_kept_notes(told_of_labels(state), anew, std::move(labelled->notes))};
 }
 
 }  // namespace

@@ -48,8 +48,10 @@ double distance_of(const RegistrationRival& rival, const Registration& registrat
 /// looks are dropped: at the new place they are not known. The doubt rival_chosen tells the probability that
 /// the rival had, in percent. The new place is not examined: a refusal stays. Expected errors stay, too: a
 /// person's choice exchanges the odds of the two places, so the new one is as sure as the former was.
+/// @param is_one_of_looks the cloud is one of several that were registered together: of the share that they
+/// see nothing new is known.
 /// @param which of registration.rivals. @throws InputError there is none of this number.
 Registration choose_rival(const Registration& registration, std::size_t which, const PatientModel& model,
-                          const LabelledCloud& cloud);
+                          const LabelledCloud& cloud, bool is_one_of_looks = false);
 
 }  // namespace glisson::registration

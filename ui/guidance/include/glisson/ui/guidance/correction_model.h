@@ -35,6 +35,8 @@ class CorrectionModel : public QObject {
   void let_go(const Eigen::Vector2d& pixel);
   /// Lets go without having said anything.
   void give_up();
+  /// What a hand has drawn so far stands: it is a line of record(), whatever becomes of the hand.
+  void settle();
   /// Takes the last correction back.
   void undo();
   /// Lines of what was corrected and taken back since tracking began, oldest first (see correction_line).
