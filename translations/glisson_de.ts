@@ -11644,6 +11644,10 @@
         <source>Drag over the liver, in 3D or in a slice, to paint, with Ctrl to wipe. Brush %1 mm (+, −, Shift + wheel in a slice). Esc: done.</source>
         <translation>In 3D oder in einem Schnitt über die Leber ziehen malt, mit Strg wischt es weg. Pinsel %1 mm (+, −, Umschalt + Rad im Schnitt). Esc: fertig.</translation>
     </message>
+    <message>
+        <source>Of a former model: propose the landmarks again.</source>
+        <translation>Von einem früheren Modell: Landmarken neu vorschlagen lassen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::QualitySheet</name>

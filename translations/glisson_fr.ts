@@ -11644,6 +11644,10 @@
         <source>Drag over the liver, in 3D or in a slice, to paint, with Ctrl to wipe. Brush %1 mm (+, −, Shift + wheel in a slice). Esc: done.</source>
         <translation>Glisser sur le foie, en 3D ou dans une coupe, peint ; avec Ctrl, efface. Pinceau %1 mm (+, −, Maj + molette dans une coupe). Échap : terminé.</translation>
     </message>
+    <message>
+        <source>Of a former model: propose the landmarks again.</source>
+        <translation>D&apos;un modèle antérieur : faites proposer à nouveau les repères.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::QualitySheet</name>

@@ -45,6 +45,7 @@ class KeepLookTest : public QObject {
   void TheLookThatAPersonSeesIsKept();
   void ALookOfAFileIsKept();
   void NoMoreThanCanBeJoinedAreKept();
+  void ALookOfThePresentPairIsNotJoined();
   void LooksComeBackWithTheCase();
   void AWrongCountIsNamed();
   void RegistrationJoinsThemAndIsStaleWithoutThem();
@@ -97,6 +98,32 @@ void KeepLookTest::NoMoreThanCanBeJoinedAreKept() {
   }
   state[part::cloud] = look(99);
   QVERIFY_THROWS_EXCEPTION(InputError, after(state, KeepLook{}));
+}
+
+/// Other regions of one pair give another cloud, of the same measurement.
+void KeepLookTest::ALookOfThePresentPairIsNotJoined() {
+  const QTemporaryDir folder;
+  const auto pair = [](const char* identity) {
+    PairPoints points;
+    points.frame_identity = identity;
+    return std::make_shared<const PairPoints>(points);
+  };
+  CaseState state;
+  state[part::cloud] = look(1);
+  state[part::points] = pair("first");
+  state = after(state, KeepLook{});
+  state[part::cloud] = look(2);
+  QVERIFY(looks_to_join(state).empty());
+  state[part::points] = pair("second");
+  QCOMPARE(looks_to_join(state).size(), std::size_t{1});
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  CaseState kept;
+  kept[part::earlier_looks] = state[part::earlier_looks];
+  QVERIFY(save_case(path, kept, RunContext()));
+  CaseState opened = *open_case(path, RunContext());
+  opened[part::cloud] = look(3);
+  opened[part::points] = pair("first");
+  QVERIFY(looks_to_join(opened).empty());
 }
 
 void KeepLookTest::LooksComeBackWithTheCase() {

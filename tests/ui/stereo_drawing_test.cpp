@@ -50,6 +50,18 @@ class StereoDrawingTest : public QObject {
     QVERIFY(drawing.tool() == std::optional(kMargin));  // the next one may begin at once
   }
 
+  void ADoubleClickThatClosesBeginsNothing() {
+    RegionDrawing drawing;
+    drawing.set_tool(kMargin);
+    for (const auto& p : {at(10, 10), at(100, 10), at(100, 90)}) drawing.press(p);
+    QVERIFY(drawing.press(at(11, 11)));  // its first press, on the first corner
+    QVERIFY(!drawing.double_click(at(11, 11)));
+    QCOMPARE(drawing.regions().size(), std::size_t{1});
+    QVERIFY(drawing.unfinished() == nullptr);
+    QVERIFY(!drawing.press(at(200, 50)));  // the next one begins where it is pressed
+    QVERIFY(drawing.unfinished() != nullptr);
+  }
+
   void DoubleClickClosesWithoutASecondCorner() {
     RegionDrawing drawing;
     drawing.set_tool(kMargin);

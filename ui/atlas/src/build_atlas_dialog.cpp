@@ -74,6 +74,14 @@ BuildAtlasDialog::BuildAtlasDialog(EngineBridge& engine, AtlasChoice& choice, QW
   show_state();
 }
 
+/// While it works it only steps back: what is told of the livers is told here.
+void BuildAtlasDialog::reject() {
+  if (build_->is_running())
+    hide();
+  else
+    QDialog::reject();
+}
+
 QLayout* BuildAtlasDialog::make_cases() {
   auto* layout = new QVBoxLayout;
   cases_ = new QListWidget(this);
@@ -153,6 +161,7 @@ void BuildAtlasDialog::show_state() {
 }
 
 void BuildAtlasDialog::show_outcome(const engine::Outcome& outcome) {
+  show();  // where it has stepped back
   const auto made = outcome.result.as<atlas::BuildResult>();
   if (outcome.status != engine::Status::done || !made) return;
   QStringList lines = expectations(*made);

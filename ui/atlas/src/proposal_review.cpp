@@ -265,6 +265,7 @@ void ProposalReview::show_list() {
 void ProposalReview::show_chosen() {
   const Proposal* one = chosen();
   QStringList lines;
+  if (is_of_former_model()) lines << tr("Of a former model: propose the landmarks again.");
   if (one != nullptr) lines << reason_text(*one);
   if (tool_ == Tool::move)
     lines << tr("Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.");
@@ -281,6 +282,13 @@ void ProposalReview::show_chosen() {
   draw();
 }
 
+bool ProposalReview::is_of_former_model() const {
+  const engine::CaseState& now = engine_.state();
+  const auto& inputs = now.stamp(part::proposals).made_from;
+  const auto model = inputs.find(part::model);
+  return model != inputs.end() && model->second != now.stamp(part::model).revision;
+}
+
 bool ProposalReview::is_open() const {
   return posted_.empty() && !propose_->is_running() && !is_being_made(engine_, part::model) &&
          !engine::obstacle(engine_.state(), engine::ReviewProposal{});
@@ -288,6 +296,7 @@ bool ProposalReview::is_open() const {
 
 void ProposalReview::choose(int) {
   const Proposal* one = chosen();
+  dragging_ = false;  // what a hand holds is another one
   if (tool_ == Tool::paint) set_tool(one != nullptr && atlas::is_area(one->structure) ? tool_ : Tool::none);
   if (one != nullptr && active_)
     state_.set_crosshair(
@@ -299,7 +308,7 @@ void ProposalReview::draw() {
   std::vector<scene::ProposalMark> marks;
   std::vector<scene::EllipsoidMark> in_slices;
   const Proposal* of_interest = chosen();
-  if (active_ && shown_ && !marks_hidden_)
+  if (active_ && shown_ && !marks_hidden_ && !is_of_former_model())
     for (const Proposal& case_has : shown_->proposals) {
       const bool is_chosen = &case_has == of_interest;
       const Proposal one = is_chosen ? as_dragged(case_has) : case_has;
@@ -319,7 +328,7 @@ void ProposalReview::draw() {
 
 Proposal ProposalReview::as_dragged(const Proposal& one) const {
   Proposal shown = one;
-  if (dragged_.rows() == 0) return shown;
+  if (dragged_.rows() == 0 || one.structure != dragged_of_) return shown;
   if (!atlas::is_area(one.structure)) {
     shown.points = dragged_;
   } else {
@@ -404,6 +413,7 @@ void ProposalReview::uncover() {
 void ProposalReview::move_to(const Eigen::Vector3d& p) {
   const Proposal* one = chosen();
   if (one == nullptr || tool_ != Tool::move || !is_open()) return;
+  dragged_of_ = one->structure;
   dragged_ = mover_->moved(*one, ProposalMover::taken(*one, p), p);
   decide(Decision::moved, dragged_);
 }
@@ -413,12 +423,13 @@ void ProposalReview::begin_drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers 
   dragging_ = one != nullptr && is_open();
   if (!dragging_) return;
   taken_ = ProposalMover::taken(*one, p);
+  dragged_of_ = one->structure;
   drag(p, keys);
 }
 
 void ProposalReview::drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys) {
   const Proposal* one = chosen();
-  if (!dragging_ || one == nullptr) return;
+  if (!dragging_ || one == nullptr || one->structure != dragged_of_) return;
   if (tool_ == Tool::move) dragged_ = mover_->moved(*one, taken_, p);
   if (tool_ == Tool::paint) {
     painter_->dab(p, brush_, !keys.testFlag(Qt::ControlModifier));
@@ -432,7 +443,7 @@ void ProposalReview::end_drag() {
   dragging_ = false;
   if (tool_ == Tool::paint) return end_painting();
   const Proposal* one = chosen();
-  if (one == nullptr || dragged_.rows() == 0) return;
+  if (one == nullptr || dragged_.rows() == 0 || one->structure != dragged_of_) return;
   const Eigen::Index there = atlas::is_area(one->structure) ? dragged_.rows() / 2 : taken_;
   state_.set_crosshair(Point<CtFrame>(Eigen::Vector3d(dragged_.row(there).transpose())));
   decide(Decision::moved, dragged_);
@@ -450,7 +461,10 @@ void ProposalReview::end_painting() {
 void ProposalReview::paint_in_slice(const SliceGesture& gesture) {
   const Proposal* one = chosen();
   if (tool_ != Tool::paint || one == nullptr) return;
-  if (gesture.phase == SliceGesture::Phase::begin) dragging_ = is_open();
+  if (gesture.phase == SliceGesture::Phase::begin) {
+    dragging_ = is_open();
+    dragged_of_ = one->structure;
+  }
   if (!dragging_) return;
   painter_->dab(gesture.p.xyz, brush_, !gesture.keys.testFlag(Qt::ControlModifier));
   if (gesture.phase == SliceGesture::Phase::end) return end_drag();

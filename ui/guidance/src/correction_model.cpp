@@ -81,6 +81,7 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
   correction.from = correction.to = picked->pixel;
   correction.gesture = ++gesture_;
   held_ = correction;
+  pressed_ = pixel;
   has_arrived_ = ends_ = gives_up_ = false;
   line = Line{picked->pixel, pixel};
   since_piece_.start();
@@ -92,15 +93,19 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
 }
 
 void CorrectionModel::drag_to(const Eigen::Vector2d& pixel) {
-  if (!held_ || ends_ || gives_up_) return;
+  if (!held_ || ends_ || gives_up_ || (!has_arrived_ && !piece_ && is_click(pixel))) return;
   held_->to = pixel;
   line = Line{line.value()->from, pixel};
   if (!piece_ && since_piece_.elapsed() >= kPieceEvery) send_piece(false);
 }
 
+bool CorrectionModel::is_click(const Eigen::Vector2d& pixel) const {
+  return (pixel - pressed_).norm() < kLeast;
+}
+
 void CorrectionModel::let_go(const Eigen::Vector2d& pixel) {
   if (!held_ || ends_ || gives_up_) return;
-  if (!has_arrived_ && !piece_ && (pixel - line.value()->from).norm() < kLeast) return give_up();
+  if (!has_arrived_ && !piece_ && is_click(pixel)) return give_up();
   held_->to = pixel;
   ends_ = true;
   if (!piece_) send_piece(true);

@@ -272,7 +272,14 @@ void MomentsModel::rename(int number, const QString& title) {
   const auto moment = engine::moment_of(engine_.state(), number);
   const std::string wanted = title.trimmed().toStdString();
   if (!moment || moment->title == wanted) return;
-  former_.emplace_back([number, title = moment->title] { return engine::RenameMoment{number, title}; });
+  // Its number may have changed by then, or be another's; its pictures are its own.
+  former_.emplace_back([this, number, title = moment->title, picture = moment->left_png] {
+    const auto& kept = engine_.state()[part::moments];
+    if (kept)
+      for (const auto& one : kept->moments)
+        if (one->left_png == picture) return engine::Command(engine::RenameMoment{one->number, title});
+    return engine::Command(engine::RenameMoment{number, title});
+  });
   can_undo = true;
   engine_.post(engine::RenameMoment{number, wanted});
 }

@@ -70,6 +70,14 @@ CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QD
   show_state();
 }
 
+/// While it works it only steps back: what a calibration says of itself is said here.
+void CalibrationDialog::reject() {
+  if (run_->is_running() || again_->is_running())
+    hide();
+  else
+    QDialog::reject();
+}
+
 QWidget* CalibrationDialog::make_fields() {
   auto* fields = new QWidget(this);
   auto* form = new QFormLayout(fields);
@@ -194,6 +202,7 @@ void CalibrationDialog::show_state() {
 }
 
 void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
+  show();  // where it has stepped back
   show_state();
   const auto sheet = outcome.result.as<engine::CalibrationSheet>();
   if (outcome.status != engine::Status::done || !sheet) return;  // the button says why

@@ -61,12 +61,18 @@ class CloudFigures {
   }
 };
 
+/// Whether there are points, and not of a former calibration.
+bool tell_of_now(const engine::CaseState& state) {
+  const auto& points = state[part::points];
+  return points && (!points->rig || points->rig == state[part::rig]);
+}
+
 }  // namespace
 
 std::vector<std::pair<QString, QString>> cloud_figures(const engine::CaseState& state) {
   CloudFigures::Rows rows;
   if (state[part::cloud]) CloudFigures::add_cloud(rows, *state[part::cloud]);
-  if (state[part::cloud] && state[part::points]) CloudFigures::add_points(rows, *state[part::points]);
+  if (state[part::cloud] && tell_of_now(state)) CloudFigures::add_points(rows, *state[part::points]);
   // Known once the model lies on the cloud.
   if (state[part::cloud] && state[part::registration] && state[part::registration]->seen_share > 0.0 &&
       engine::stage_state(state, part::registration) == engine::StageState::current)
@@ -78,7 +84,7 @@ QString cloud_warning(const engine::CaseState& state) {
   if (state[part::regions] && !state[part::regions]->regions.empty() &&
       engine::stage_state(state, part::regions) == engine::StageState::stale)
     return CloudFigures::of_another_frame();
-  return state[part::points] ? CloudFigures::warning(*state[part::points]) : QString();
+  return tell_of_now(state) ? CloudFigures::warning(*state[part::points]) : QString();
 }
 
 }  // namespace glisson::ui

@@ -101,6 +101,7 @@ RegionDrawing::Click RegionDrawing::click_at(const Place& place) const {
 }
 
 bool RegionDrawing::press(const Place& place) {
+  press_finished_ = false;
   switch (click_at(place)) {
     case Click::begin:
       unfinished_ = stereo::Region{tool_->feature, {}, tool_->closed, tool_->half_width_px, place.side};
@@ -110,6 +111,7 @@ bool RegionDrawing::press(const Place& place) {
       return false;
     case Click::close:
     case Click::end_curve:
+      press_finished_ = true;
       return finish();
     case Click::drag:
       before_drag_ = regions_;
@@ -137,6 +139,7 @@ bool RegionDrawing::press(const Place& place) {
 }
 
 bool RegionDrawing::double_click(const Place& place) {
+  if (std::exchange(press_finished_, false)) return false;  // its first press has ended the line
   // The double click's first press has put a corner here already, unless the pointer has moved far since.
   if (unfinished_ && unfinished_->side == place.side && close_to(unfinished_->polygon.back(), place) &&
       unfinished_->polygon.size() >= unfinished_->fewest_vertices())

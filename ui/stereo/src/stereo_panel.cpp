@@ -298,6 +298,8 @@ void StereoPanel::show_case() {
     faults_.clear();
     if (now[part::frame]) frame_->setValue(now[part::frame]->frame.index);
   }
+  if (now[part::rig] != shown_rig_) faults_.clear();  // they were found with the former one
+  shown_rig_ = now[part::rig];
   view_->set_pair(now[part::frame], rig_fits() ? now[part::rig] : nullptr);
   take_regions(is_other_frame);
   calibration_->setText(now[part::rig] ? tr("%1 × %2, baseline %3 mm")
@@ -338,11 +340,13 @@ void StereoPanel::take_regions(bool is_other_frame) {
 void StereoPanel::show_figures() {
   const engine::CaseState& now = engine().state();
   figures_->set_rows(cloud_figures(now));
-  QString warning = cloud_warning(now);
-  if (!faults_.isEmpty()) warning = warning.isEmpty() ? faults_ : faults_ + QLatin1Char('\n') + warning;
+  QStringList lines{faults_, cloud_warning(now)};
+  // Storing them with the others has made them this frame's.
   const int left = count_unchanged(view_->drawing().regions(), of_another_frame_);
-  if (left > 0 && warning.isEmpty())  // storing them with the others has made them this frame's
-    warning = tr("Still as drawn on another frame: %1. Move or clear them.").arg(left);
+  if (left > 0 && engine::stage_state(now, part::regions) != engine::StageState::stale)
+    lines << tr("Still as drawn on another frame: %1. Move or clear them.").arg(left);
+  lines.removeAll(QString());
+  const QString warning = lines.join(QLatin1Char('\n'));
   warnings_->setText(warning);
   warnings_->setVisible(!warning.isEmpty());
 }

@@ -28,13 +28,21 @@ void require_room_for(const LabelledCloud& look, const EarlierLooks& kept, const
                      "Forget the earlier looks, or register with these");
 }
 
-/// @param name of the look, for errors. @throws InputError as require_room_for().
+/// Of the pair of pictures that the case's cloud was made of; empty: not known.
+std::string pair_of(const CaseState& state, const std::shared_ptr<const LabelledCloud>& look) {
+  return look == state[part::cloud] && state[part::points] ? state[part::points]->frame_identity
+                                                           : std::string();
+}
+
+/// @param pair of the look. @param name of the look, for errors. @throws InputError as require_room_for().
 EarlierLooks with_look(const EarlierLooks* before, std::shared_ptr<const LabelledCloud> look,
-                       const std::string& name) {
+                       const std::string& pair, const std::string& name) {
   EarlierLooks kept;
   if (before != nullptr) kept = *before;
   require_room_for(*look, kept, name);
+  kept.pairs.resize(kept.clouds.size());
   kept.clouds.push_back(std::move(look));
+  kept.pairs.push_back(pair);
   return kept;
 }
 
@@ -55,8 +63,9 @@ CommandTraits KeepLook::traits() const {
 
 Cancellable<Applied> KeepLook::apply(const CaseState& state, const RunContext&) const {
   auto look = path ? look_in(*path, unit) : seen ? seen : state[part::cloud];
+  const std::string pair = pair_of(state, look);
   EarlierLooks kept =
-      with_look(state[part::earlier_looks].get(), std::move(look), path ? path->string() : "cloud");
+      with_look(state[part::earlier_looks].get(), std::move(look), pair, path ? path->string() : "cloud");
   Applied applied{state, {{"looks_kept", static_cast<double>(kept.clouds.size())}}};
   applied.state[part::earlier_looks] = std::make_shared<const EarlierLooks>(std::move(kept));
   return applied;

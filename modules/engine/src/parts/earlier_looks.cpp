@@ -26,7 +26,7 @@ json save(const CaseState& state, const CaseFolder& folder) {
   const auto& clouds = state[part::earlier_looks]->clouds;
   fs::create_directories(folder.path / "looks");
   for (std::size_t k = 0; k < clouds.size(); ++k) write_cloud(file_of(folder, k), *clouds[k], kUnit);
-  return {{"count", clouds.size()}};
+  return {{"count", clouds.size()}, {"pairs", state[part::earlier_looks]->pairs}};
 }
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
@@ -38,6 +38,8 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   EarlierLooks looks;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
     looks.clouds.push_back(std::make_shared<const LabelledCloud>(read_cloud(file_of(folder, k), kUnit)));
+  looks.pairs = entry.value("pairs", std::vector<std::string>());  // cases of before have none
+  looks.pairs.resize(looks.clouds.size());
   state[part::earlier_looks] = std::make_shared<const EarlierLooks>(std::move(looks));
 }
 
@@ -62,8 +64,14 @@ const PartOf<EarlierLooks> part::earlier_looks{{.code = "earlier_looks",
 std::vector<std::shared_ptr<const LabelledCloud>> looks_to_join(const CaseState& state) {
   std::vector<std::shared_ptr<const LabelledCloud>> looks;
   if (!state[part::earlier_looks]) return looks;
-  for (const auto& look : state[part::earlier_looks]->clouds)
-    if (!state[part::cloud] || !same_points(look->points, state[part::cloud]->points)) looks.push_back(look);
+  const EarlierLooks& kept = *state[part::earlier_looks];
+  const std::string pair = state[part::points] ? state[part::points]->frame_identity : std::string();
+  for (std::size_t k = 0; k < kept.clouds.size(); ++k) {
+    const bool is_of_now = !pair.empty() && k < kept.pairs.size() && kept.pairs[k] == pair;
+    if (!state[part::cloud] ||
+        (!is_of_now && !same_points(kept.clouds[k]->points, state[part::cloud]->points)))
+      looks.push_back(kept.clouds[k]);
+  }
   return looks;
 }
 

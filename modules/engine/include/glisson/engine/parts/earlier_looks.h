@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "glisson/engine/case_state.h"
@@ -13,13 +14,15 @@ namespace glisson::engine {
 /// camera's frame. Where they were seen from is found by the registration (registration/looks.h).
 struct EarlierLooks {
   std::vector<std::shared_ptr<const LabelledCloud>> clouds;
+  std::vector<std::string> pairs;  ///< PairPoints::frame_identity of each; empty: not known
 };
 
 namespace part {
 extern const PartOf<EarlierLooks> earlier_looks;
 }  // namespace part
 
-/// Those that a registration joins to the case's cloud: all but that cloud itself.
+/// Those that a registration joins to the case's cloud: all but that cloud itself, and
+/// those of the pair that it was made of: the same measurement twice is no second one.
 std::vector<std::shared_ptr<const LabelledCloud>> looks_to_join(const CaseState& state);
 
 }  // namespace glisson::engine

@@ -33,6 +33,8 @@ class BuildAtlasDialog : public QDialog {
   /// The folder that it lies in.
   void built(const std::filesystem::path& folder);
 
+  void reject() override;
+
  private:
   QLayout* make_cases();
   QLayout* make_place();

@@ -66,6 +66,8 @@ class ProposalReview : public QWidget {
   void show_chosen();
   /// Whether a step of the review would be taken now.
   bool is_open() const;
+  /// They lie on a liver that is not drawn any more.
+  bool is_of_former_model() const;
   void draw();
   void decide(atlas::Decision decision, const Points& moved = {});
   void go_on();
@@ -105,8 +107,9 @@ class ProposalReview : public QWidget {
   std::unique_ptr<AreaPainter> painter_;
   bool dragging_ = false;
   Eigen::Index taken_ = 0;
-  Points dragged_{0, 3};  ///< where the chosen proposal would be moved to; none: nowhere
-  double brush_ = 8e-3;   ///< metres
+  Points dragged_{0, 3};                        ///< where a proposal would be moved to; none: nowhere
+  std::optional<atlas::Structure> dragged_of_;  ///< which one
+  double brush_ = 8e-3;                         ///< metres
   std::optional<Label> hidden_;
   TaskButton* propose_ = nullptr;
   QWidget* review_ = nullptr;  ///< what there is once something is proposed

@@ -60,6 +60,8 @@ class CorrectionModel : public QObject {
   void read_case();
   void read_live();
   void finish(const engine::Outcome& outcome);
+  /// Whether the hand has not moved: what it took hold of may lie beside the pixel.
+  bool is_click(const Eigen::Vector2d& pixel) const;
   void send_piece(bool is_last);
   void say(const QString& text, const QString& how = {});
   QString standing() const;
@@ -71,7 +73,8 @@ class CorrectionModel : public QObject {
   PlaybackModel& playback_;
   ReviewModel& review_;
   Couplings couplings_;
-  std::optional<Correction> held_;  ///< of the present gesture
+  std::optional<Correction> held_;                     ///< of the present gesture
+  Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();  ///< pixel at which it began
   QElapsedTimer since_piece_;
   std::optional<engine::CommandId> piece_;    ///< on its way
   std::optional<engine::CommandId> undoing_;  ///< likewise

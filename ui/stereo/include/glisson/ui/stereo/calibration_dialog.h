@@ -28,6 +28,8 @@ class CalibrationDialog : public QDialog {
   /// Calibrates again, with the views that are ticked.
   TaskButton& again() { return *again_; }
 
+  void reject() override;
+
  private:
   QWidget* make_fields();
   QLayout* make_form(EngineBridge& engine);

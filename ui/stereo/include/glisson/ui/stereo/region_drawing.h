@@ -82,6 +82,7 @@ class RegionDrawing {
   std::optional<Tool> tool_;
   Regions regions_;
   std::optional<stereo::Region> unfinished_;
+  bool press_finished_ = false;  ///< the last press has ended a line
   std::optional<std::size_t> selected_;
   std::optional<Corner> dragged_;
   Regions before_drag_;

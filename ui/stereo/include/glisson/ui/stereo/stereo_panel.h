@@ -92,6 +92,7 @@ class StereoPanel : public Panel {
   QString faults_;            ///< what the last reconstruction found wrong with the pair
   bool label_again_ = false;  ///< regions changed while points were labelled
   std::shared_ptr<const engine::StereoInput> shown_frame_;
+  std::shared_ptr<const StereoRig> shown_rig_;
   std::string identity_;                     ///< of that frame
   RegionDrawing::Regions of_another_frame_;  ///< as they stood when that frame came
   std::shared_ptr<const engine::VideoSource> shown_video_;
