@@ -261,14 +261,20 @@ InputError hindrance(const char* code, bool Structures::*structure, const Segmen
   return {"labels", by_liver ? "liver" : code, "is locked", "Unlock it, or find something else anew"};
 }
 
-/// @param without_locks as in hindrance(). @throws InputError there is nothing to be done.
-void require_some(const SegmentationOptions& options, const Structures& anew,
-                  const Structures& without_locks) {
+}  // namespace
+
+void require_something_to_find(const SegmentationOptions& options, const VolumeGrid& grid,
+                               const Seeds& seeds) {
+  const Structures without_locks = found_anew(options.structures, part_of(seeds, grid, options.region));
+  const Structures anew = found_anew(unlocked(options.structures, options.locked),
+                                     part_of(unlocked(seeds, options.locked), grid, options.region));
   for (const auto& [code, structure] : kStructureCodes)
     if (anew.*structure) return;
   for (const auto& [code, structure] : kStructureCodes)
     if (options.structures.*structure) throw hindrance(code, structure, options, without_locks);
 }
+
+namespace {
 
 /// segment() on the scale of a CT. @pre the input is checked.
 Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
@@ -278,7 +284,6 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
   const Image image = part_of(whole, box);
   const Seeds seeds = part_of(unlocked(all_seeds, options.locked), image.grid, options.region);
   const Structures anew = found_anew(unlocked(options.structures, options.locked), seeds);
-  require_some(options, anew, found_anew(options.structures, part_of(all_seeds, image.grid, options.region)));
   std::optional<Kept> kept_part;
   if (all_kept != nullptr) {
     kept_part = Kept{part_of(*all_kept, box), {}};

@@ -84,11 +84,12 @@ void SliceView::show_hand() {
 
 void SliceView::refresh_slice() {
   if (!state_.image() || state_.image()->empty()) {
+    const bool was_there = slice_.width > 0;
     slice_ = {};
     slice_.plane = plane_;
     drawing_.clear();
     image_ = shown_ = {};
-    emit slice_changed();
+    if (was_there) emit slice_changed();
     update();
     return;
   }

@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
 
 namespace glisson::ui {
 namespace {

@@ -88,6 +88,7 @@ CommandTraits Segment::traits() const {
 
 Cancellable<Applied> Segment::apply(const CaseState& state, const RunContext& context,
                                     const Services& services) const {
+  segmentation::require_something_to_find(options, state[part::image]->grid, *state[part::seeds]);
   return put_found_labels(state, would_replace(state), over_hand_work, keeps_labels(),
                           [&] { return found(*this, state, context, services); });
 }

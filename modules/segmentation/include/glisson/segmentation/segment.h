@@ -81,6 +81,11 @@ struct SegmentationOptions {
 bool is_found_anew(Label label, const SegmentationOptions& options, const VolumeGrid& grid,
                    const Seeds& seeds);
 
+/// Told before a person waits for nothing. @throws InputError naming a structure that was asked for, where
+/// none of them has a seed in the region, or all are locked.
+void require_something_to_find(const SegmentationOptions& options, const VolumeGrid& grid,
+                               const Seeds& seeds);
+
 /// Volumes, and what a person should look at. The liver's is with vessels and lesions in it.
 struct SegmentationReport {
   double liver_ml = 0.0, portal_ml = 0.0, hepatic_ml = 0.0;
@@ -106,7 +111,7 @@ using ShowLiver = std::function<void(const LabelVolume& liver)>;
 ///   inside a kept liver take the place of its parenchyma, and leave parenchyma where they are no more.
 /// @param show may be empty.
 /// @throws InputError seeds outside the image, none for the liver (or, when it is kept, no liver in `kept`),
-///   none in the region for anything that is asked, or all of it locked, another grid, a region beside the
+///   another grid, a region beside the
 ///   image, not a CT.
 Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const SegmentationOptions& options,
                                const RunContext& context, const LabelMap* kept = nullptr,

@@ -29,11 +29,11 @@ class BuildAtlasDialog : public QDialog {
   engine::BuildAtlas command() const;
   TaskButton& task() { return *build_; }
 
+  void reject() override;
+
  signals:
   /// The folder that it lies in.
   void built(const std::filesystem::path& folder);
-
-  void reject() override;
 
  private:
   QLayout* make_cases();
