@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <atomic>
+#include <functional>
+#include <numeric>
 
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/register.h"
@@ -277,15 +279,21 @@ void GuidanceLiveTest::WhatIsDrawnForHandsIsKnownAsRefuted() {
   QVERIFY(rests());
   auto* correct = window_->findChild<QAbstractButton*>(QStringLiteral("correct_by_hand"));
   const auto drawn_after_click = [&] {
+    const int before = panel().pictures_shown();
     correct->click();
-    (void)rests();
+    (void)QTest::qWaitFor([&] { return panel().pictures_shown() > before && rests(); }, 20000);
     return picture();
   };
   const Picture proposed = drawn_after_click();
   QCOMPARE(validity(), Validity::surface_apart);
   const Picture withdrawn = drawn_after_click();
-  QVERIFY(*proposed.bytes != *withdrawn.bytes);  // the outline
-  QVERIFY(*drawn_after_click().bytes == *proposed.bytes);
+  const Picture again = drawn_after_click();
+  const auto different = [](const Picture& a, const Picture& b) {
+    return std::inner_product(a.bytes->begin(), a.bytes->end(), b.bytes->begin(), 0L, std::plus<>(),
+                              std::not_equal_to<>());
+  };
+  // The outline is far more than words that go with the time.
+  QVERIFY(different(proposed, withdrawn) > 10 * different(proposed, again));
 }
 
 void GuidanceLiveTest::APictureOfUnknownAgeIsNotLive() {
