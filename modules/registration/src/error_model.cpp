@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "farthest_first.h"
 #include "force_rows.h"
 #include "glisson/core/chi_square.h"
 #include "glisson/core/error.h"
+#include "linear_posterior.h"
 #include "unforeseen.h"
 
 namespace glisson::registration {
@@ -19,10 +19,11 @@ constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehan
 constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
 constexpr double kPlace = 25e-3;              ///< m
 constexpr double kTolerance = 25.0;           ///< of the robust weight, squared deviations (shape_fit.cpp)
-/// Factor on the linear model's deviations. They leave out contacts, other laws, and errors of the
-/// segmentation beyond its mean. With it 95 % ellipsoids held 92 % of the development patients' lesions
-/// (EVIDENCE.md).
-constexpr double kLeftOut = 1.6;
+/// Factor on the linear model's deviations. They leave out contacts, and errors of the segmentation beyond its
+/// mean. With it 95 % ellipsoids held 95 % of development livers' lesions (EVIDENCE.md).
+constexpr double kLeftOut = 1.3;
+/// So many amplitudes of the expected size are believed in before any is seen.
+constexpr double kBelieved = 5.0;
 
 /// Turns every node's vector.
 void turn(fem::NodalColumns& columns, const Eigen::Matrix3d& rotation) {
@@ -81,17 +82,27 @@ double mean_error(const Eigen::Matrix3d& covariance) {
 
 void ErrorModelOptions::validate() const {
   const OptionCheck demand("error model");
+  demand(sigma > 0.0, "sigma", sigma, "Give a positive length, in metres");
   demand(surface >= 0.0, "surface", surface, "Give a length from zero, in metres");
   demand(information > 0.0, "information", information, "Give a positive number");
   demand(unforeseen >= 0.0, "unforeseen", unforeseen, "Give a length from zero, in metres");
 }
 
+/// What may move where the organ is.
+struct ErrorModel::Unknowns {
+  fem::NodalColumns motions;   ///< by one deviation beforehand each; behind the others a change of size
+  Eigen::Index deforming = 0;  ///< modes and forces: the first ones
+  Eigen::Index looks = 0;      ///< where further looks were seen from: the last ones
+  Eigen::VectorXd amplitudes;  ///< of the modes, where the organ is; empty: not known
+  Eigen::Index count() const { return motions.cols() - 1; }
+};
+
 ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
                        const Eigen::VectorXd& amplitudes, const CameraFromCt& camera_from_ct,
                        const Points& nodes, const PreparedCloud& cloud, double noise,
-                       const ErrorModelOptions& options, const RunContext& context) {
+                       const ErrorModelOptions& options, const RunContext& context)
+    : nodes_(nodes), judged_(std::make_shared<const LinearPosterior>()) {
   options.validate();
-  nodes_ = nodes;
   modes_ = prior != nullptr ? prior->modes.cols() : 0;
   Unforeseen others;
   others.motion = options.unforeseen;
@@ -99,57 +110,70 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   others.stiffness = options.stiffness;
   const fem::NodalColumns forces = unforeseen_motions(model, others, context);
   if (context.cancelled()) return;
-  fem::NodalColumns motions(3L * model.mesh.vertex_count(), modes_ + forces.cols());
+  Unknowns unknowns;
+  if (amplitudes.size() == modes_) unknowns.amplitudes = amplitudes;
+  unknowns.deforming = modes_ + forces.cols();
+  unknowns.looks = 6 * (cloud.cloud.look_count() - 1);
+  places_of_cameras_ = 6 + unknowns.looks;
+  fem::NodalColumns& motions = unknowns.motions;
+  motions.resize(3L * model.mesh.vertex_count(), unknowns.deforming);
   if (modes_ > 0) motions.leftCols(modes_) = prior->modes;
   motions.rightCols(forces.cols()) = forces;
   turn(motions, camera_from_ct.rotation);
-  // Forces and modes, the pose, where each further look was seen from; and the size.
-  const Eigen::Index deforming = motions.cols(), looks = 6 * (cloud.cloud.look_count() - 1);
-  const Eigen::Index unknowns = deforming + 6 + looks;
-  places_of_cameras_ = 6 + looks;
-  motions.conservativeResize(Eigen::NoChange, unknowns + 1);
+  motions.conservativeResize(Eigen::NoChange, unknowns.deforming + places_of_cameras_ + 1);
   const fem::NodalColumns pose = of_pose(nodes);
-  motions.middleCols<6>(deforming) = pose.leftCols<6>();
-  if (options.pose_known) motions.middleCols<6>(deforming).setZero();
-  motions.middleCols(deforming + 6, looks).setZero();
+  motions.middleCols<6>(unknowns.deforming) = pose.leftCols<6>();
+  if (options.pose_known) motions.middleCols<6>(unknowns.deforming).setZero();
+  motions.middleCols(unknowns.deforming + 6, unknowns.looks).setZero();
   motions.rightCols<1>() = pose.rightCols<1>();
 
   if (context.cancelled()) return;
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(nodes);
-  const double sigma = std::hypot(noise, options.surface);
-  point_variance_ = sigma * sigma / options.information;
-  const ForceRows rows =
-      find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
-  if (context.cancelled()) return;
-  const Eigen::MatrixXd all = rows.along(motions);
-  rows_ = all.leftCols(unknowns);
-  if (looks > 0) rows_.rightCols(looks) = of_looks(rows, looks, nodes.colwise().mean());
-  points_ = rows.points;
-  variance_ = rows.sigma.cwiseAbs2();
-  Eigen::VectorXd y = rows.gap;
-  if (amplitudes.size() == modes_ && modes_ > 0) y += rows_.leftCols(modes_) * amplitudes;
-
-  if (context.cancelled()) return;
-  const Eigen::MatrixXd weighted = variance_.cwiseInverse().asDiagonal() * rows_;
-  Eigen::MatrixXd h = rows_.transpose() * weighted;
-  h.diagonal().array() += 1.0;
-  if (context.cancelled()) return;
-  const Eigen::LLT<Eigen::MatrixXd> factor(h);
-  root_ = factor.matrixU().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
-  mean_ = factor.solve(weighted.transpose() * y);
-  left_ = y - rows_ * mean_;
-  if (context.cancelled()) return;
-  spread_ = kLeftOut * (motions.leftCols(unknowns) * root_);
-
-  const Eigen::VectorXd larger = all.col(unknowns);
-  const auto inverse = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
-    return v.cwiseQuotient(variance_) - weighted * factor.solve(weighted.transpose() * v);
+  const auto rows = [&](double sigma) {
+    return find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
   };
-  const double information = larger.dot(inverse(larger)) + 1.0;
-  size_ = {kWholeSize * larger.dot(inverse(y)) / information, kWholeSize / std::sqrt(information)};
-  points_.conservativeResize(rows.surface_count, 3);
-  group(kPlace);
+  judge(rows(std::hypot(noise, options.surface)), unknowns);
+  if (context.cancelled()) return;
+  point_variance_ = options.sigma * options.sigma / options.information;
+  tell(rows(options.sigma), unknowns, context);
+}
+
+LinearPosterior ErrorModel::posterior_of(const ForceRows& rows, const Unknowns& unknowns) const {
+  LinearPosterior seen;
+  seen.answers = rows.along(unknowns.motions.leftCols(unknowns.count()));
+  if (unknowns.looks > 0)
+    seen.answers.rightCols(unknowns.looks) = of_looks(rows, unknowns.looks, nodes_.colwise().mean());
+  seen.variance = rows.sigma.cwiseAbs2();
+  seen.y = rows.gap;
+  if (const Eigen::Index modes = unknowns.amplitudes.size(); modes > 0)
+    seen.y += seen.answers.leftCols(modes) * unknowns.amplitudes;
+  seen.solve(Eigen::VectorXd::Ones(unknowns.count()));
+  seen.group(rows, kPlace);
+  return seen;
+}
+
+/// What the findings are made of.
+void ErrorModel::judge(const ForceRows& rows, const Unknowns& unknowns) {
+  const auto judged = std::make_shared<const LinearPosterior>(posterior_of(rows, unknowns));
+  const Eigen::VectorXd larger = rows.along(unknowns.motions.rightCols<1>());
+  const double information = larger.dot(judged->apart(larger)) + 1.0;
+  size_ = {kWholeSize * larger.dot(judged->apart(judged->y)) / information,
+           kWholeSize / std::sqrt(information)};
+  judged_ = judged;
+}
+
+/// What is told of the nodes.
+void ErrorModel::tell(const ForceRows& rows, const Unknowns& unknowns, const RunContext& context) {
+  LinearPosterior seen = posterior_of(rows, unknowns);
+  const Eigen::Index deforming = unknowns.deforming;
+  const double larger =
+      (kBelieved + seen.mean.head(deforming).squaredNorm()) / (kBelieved + seen.decided(deforming));
+  Eigen::VectorXd prior = Eigen::VectorXd::Ones(unknowns.count());
+  prior.head(deforming).setConstant(std::max(1.0, larger));
+  seen.solve(prior);
+  scale_ = kLeftOut * std::sqrt(std::max(1.0, seen.held_out(context).second));
+  spread_ = scale_ * (unknowns.motions.leftCols(unknowns.count()) * seen.root);
 }
 
 void ErrorModel::add_rival(const Points& elsewhere, double probability) {
@@ -157,13 +181,6 @@ void ErrorModel::add_rival(const Points& elsewhere, double probability) {
   spread_.conservativeResize(Eigen::NoChange, spread_.cols() + 1);
   spread_.rightCols<1>() = Eigen::Map<const Eigen::VectorXd>(away.data(), away.size());
   ++rivals_;
-}
-
-void ErrorModel::group(double width) {
-  const Spread spread = farthest_first(points_, width);
-  places_.resize(spread.chosen.size());
-  for (std::size_t i = 0; i < spread.nearest.size(); ++i)
-    places_[spread.nearest[i]].push_back(static_cast<Eigen::Index>(i));
 }
 
 Eigen::MatrixXd ErrorModel::deviations(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
@@ -180,7 +197,7 @@ Eigen::Matrix3d ErrorModel::covariance(const Eigen::Vector4i& nodes, const Eigen
 
 Eigen::MatrixXd ErrorModel::answers(const ForceRows& rows) const {
   Eigen::MatrixXd answers = rows.along(spread_);
-  answers.leftCols(spread_.cols() - rivals_) /= kLeftOut;
+  answers.leftCols(spread_.cols() - rivals_) /= scale_;
   return answers;
 }
 
@@ -216,40 +233,21 @@ SymmetricRows ErrorModel::node_covariances() const {
 
 double ErrorModel::misfit() const {
   double sum = 0.0;
-  for (const auto& place : places_) sum += std::pow(left_(place).mean(), 2);
-  return places_.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(places_.size()));
+  for (const auto& place : judged_->places) sum += std::pow(judged_->left(place).mean(), 2);
+  return judged_->places.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(judged_->places.size()));
 }
 
 ErrorModel::HeldOut ErrorModel::held_out(const RunContext& context) const {
-  HeldOut held;
-  if (places_.size() < 2) return held;
-  for (const auto& place : places_) {
-    if (context.cancelled()) return {};
-    // Left out, the place's residual is V (V - H)^-1 e, of covariance V (V - H)^-1 V; H = A S A^T.
-    const Eigen::MatrixXd a = rows_(place, Eigen::all) * root_;
-    Eigen::MatrixXd m = -a * a.transpose();
-    const Eigen::VectorXd v = variance_(place);
-    m.diagonal() += v;
-    const Eigen::LDLT<Eigen::MatrixXd> factor(m);
-    const double distance =
-        v.dot(factor.solve(Eigen::VectorXd(left_(place)))) / static_cast<double>(place.size());
-    const double square = v.dot(factor.solve(v)) / std::pow(static_cast<double>(place.size()), 2);
-    held.distance += distance * distance;
-    held.z += distance * distance / square;
-  }
-  held.distance = std::sqrt(held.distance / static_cast<double>(places_.size()));
-  held.z = std::sqrt(held.z / static_cast<double>(places_.size()));
-  return held;
+  const auto [square, variances] = judged_->held_out(context);
+  return {std::sqrt(square), std::sqrt(variances)};
 }
 
-double ErrorModel::decided() const {
-  const Eigen::Index count = mean_.size() - places_of_cameras_;
-  return static_cast<double>(count) - root_.topRows(count).squaredNorm();
-}
+double ErrorModel::decided() const { return judged_->decided(judged_->mean.size() - places_of_cameras_); }
 
 double ErrorModel::strangeness() const {
   const double expected = decided();
-  return expected > 1e-3 ? mean_.head(mean_.size() - places_of_cameras_).squaredNorm() / expected : 0.0;
+  const Eigen::Index deforming = judged_->mean.size() - places_of_cameras_;
+  return expected > 1e-3 ? judged_->mean.head(deforming).squaredNorm() / expected : 0.0;
 }
 
 }  // namespace glisson::registration

@@ -55,17 +55,24 @@ Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientMo
   return std::make_shared<const OperationPrior>(std::move(*prior));
 }
 
-/// Where else the organ may be.
-std::vector<RegistrationRival> rivals_of(const std::optional<ShapeFits>& shapes, const Registered& made,
-                                         const Registration& registration, const ElasticOptions& elastic) {
-  const Points& here = registration.nodes_in_camera;
-  const double votes = votes_of_a_place(elastic.shape.information);
-  if (made.forces) return weigh_places(here, made.forces->others, shapes ? votes : 1.0);
-  std::vector<OtherFit> others;
-  if (shapes)
+/// Where else fits have ended.
+struct OtherFits {
+  Points here;  ///< where the chosen one has
+  std::vector<OtherFit> fits;
+  double votes = 1.0;
+};
+OtherFits other_fits(const std::optional<ShapeFits>& shapes, const Registered& made,
+                     const Registration& registration, const ElasticOptions& elastic) {
+  OtherFits others{registration.nodes_in_camera, {}, votes_of_a_place(elastic.shape.information)};
+  if (made.forces) {
+    others.fits = made.forces->others;
+    if (!shapes) others.votes = 1.0;
+  } else if (shapes) {
+    others.here = shapes->best().nodes_in_camera;
     for (const ShapeFit& fit : shapes->fits)
-      others.push_back({fit.nodes_in_camera, -0.5 * (fit.cost - shapes->best().cost)});
-  return weigh_places(shapes ? shapes->best().nodes_in_camera : here, std::move(others), votes);
+      others.fits.push_back({fit.nodes_in_camera, -0.5 * (fit.cost - shapes->best().cost)});
+  }
+  return others;
 }
 
 /// N for a Young's modulus of 1 kPa, before the camera.
@@ -78,11 +85,12 @@ std::vector<FoundForce> found_forces(const ContactForceFit& fit) {
 
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
                     const std::optional<ShapeFits>& shapes, const Registered& made,
-                    const Registration& registration, const std::vector<RegistrationRival>& rivals,
-                    bool pose_known, const RunContext& context) {
+                    const Registration& registration, const OtherFits& others, bool pose_known,
+                    const RunContext& context) {
   const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
   const ShapeFit* shape = shapes && !made.forces ? &shapes->best() : nullptr;
   ErrorModelOptions known;
+  known.sigma = elastic.shape.sigma_surface;
   known.fixed_nodes = elastic.fixed_nodes;
   known.pose_known = pose_known;
   if (!elastic.materials.by_label.empty())
@@ -97,8 +105,8 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
                    shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
                    roughness_of(prepared, context), known, context);
   if (context.cancelled()) return error;
-  for (const RegistrationRival& rival : rivals)
-    if (rival.probability > 1e-4) error.add_rival(rival.nodes_in_camera, rival.probability);
+  for (const RegistrationRival& other : weigh_fits(others.here, others.fits, others.votes))
+    if (other.probability > 1e-4) error.add_rival(other.nodes_in_camera, other.probability);
   return error;
 }
 
@@ -381,9 +389,10 @@ class Run {
   }
 
   bool examine_it() {
-    std::vector<RegistrationRival> rivals = rivals_of(shapes_, result(), registration_, elastic_);
+    const OtherFits others = other_fits(shapes_, result(), registration_, elastic_);
+    std::vector<RegistrationRival> rivals = weigh_places(others.here, others.fits, others.votes);
     examined_.error = std::make_shared<const ErrorModel>(
-        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals, knows_pose(), context_));
+        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, others, knows_pose(), context_));
     if (context_.cancelled()) return false;
     bound_lesions_ = bound_lesions(model_);
     examined_.lesions = lesions_of(model_.mesh, bound_lesions_, *examined_.error, registration_);

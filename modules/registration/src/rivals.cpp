@@ -20,8 +20,29 @@ namespace {
 constexpr std::size_t kMostRivals = 3;
 constexpr double kPlausible = 0.01;
 constexpr double kElsewhere = 20e-3, kPlace = 25e-3;  // m
+constexpr double kSameFit = 0.5e-3;                   ///< m: of two that have come to the same end
 
 double apart(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
+
+/// @param least mean distance from which on two fits are two.
+std::vector<RegistrationRival> weighed(const Points& chosen, std::vector<OtherFit> fits, double votes,
+                                       double least) {
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const OtherFit& a, const OtherFit& b) { return a.log_odds > b.log_odds; });
+  std::vector<RegistrationRival> places;
+  double total = 1.0;
+  for (OtherFit& fit : fits) {
+    if (!(apart(fit.nodes_in_camera, chosen) > least) ||
+        std::any_of(places.begin(), places.end(), [&](const RegistrationRival& better) {
+          return !(apart(fit.nodes_in_camera, better.nodes_in_camera) > least);
+        }))
+      continue;
+    places.push_back({std::move(fit.nodes_in_camera), std::exp(fit.log_odds / votes)});
+    total += places.back().probability;
+  }
+  for (RegistrationRival& place : places) place.probability /= total;
+  return places;
+}
 
 }  // namespace
 
@@ -33,21 +54,11 @@ double votes_of_a_place(double information) {
 }
 
 std::vector<RegistrationRival> weigh_places(const Points& chosen, std::vector<OtherFit> fits, double votes) {
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const OtherFit& a, const OtherFit& b) { return a.log_odds > b.log_odds; });
-  std::vector<RegistrationRival> places;
-  double total = 1.0;
-  for (OtherFit& fit : fits) {
-    if (!are_rivals(fit.nodes_in_camera, chosen) ||
-        std::any_of(places.begin(), places.end(), [&](const RegistrationRival& better) {
-          return !are_rivals(fit.nodes_in_camera, better.nodes_in_camera);
-        }))
-      continue;
-    places.push_back({std::move(fit.nodes_in_camera), std::exp(fit.log_odds / votes)});
-    total += places.back().probability;
-  }
-  for (RegistrationRival& place : places) place.probability /= total;
-  return places;
+  return weighed(chosen, std::move(fits), votes, kRivalAway);
+}
+
+std::vector<RegistrationRival> weigh_fits(const Points& chosen, std::vector<OtherFit> fits, double votes) {
+  return weighed(chosen, std::move(fits), votes, kSameFit);
 }
 
 double elsewhere(const Points& chosen, const std::vector<RegistrationRival>& places) {

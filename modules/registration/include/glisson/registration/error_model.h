@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "glisson/core/run_context.h"
@@ -15,6 +16,7 @@
 namespace glisson::registration {
 
 struct ForceRows;
+struct LinearPosterior;
 
 /// How far off a lesion may be.
 struct LesionError {
@@ -32,7 +34,11 @@ Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance);
 
 /// What an ErrorModel takes for granted.
 struct ErrorModelOptions {
-  /// Deviation of the patient's surface from the true one, m: segmentation and mesh.
+  /// Deviation of a surface point that the registration weighed by (ShapeFitOptions::sigma_surface), m: a
+  /// posterior is the error of an estimate by its own deviations.
+  double sigma = 3e-3;
+  /// Deviation of the patient's surface from the true one, m: segmentation and mesh. With the cloud's noise
+  /// it says which misfit is to be expected.
   double surface = 1.5e-3;
   /// Independent information in what the reference density's one point stands for (ShapeFitOptions).
   double information = 0.2;
@@ -48,6 +54,11 @@ struct ErrorModelOptions {
 /// What is not known of where a registered organ is: the posterior of pose, amplitudes of the operations'
 /// modes and unforeseen forces anywhere on the surface, linearised where the registration has put it. Where
 /// something is seen the cloud ties them down; elsewhere they remain, more so the farther away.
+///
+/// How large they are the cloud tells, too. Where it shows deformations that are larger than expected, so are
+/// those that it does not show (variance of the amplitudes by their squares, empirical Bayes). And where
+/// places of it are predicted worse by the others than they should be, all is less sure (the a posteriori
+/// variance factor of adjustment theory). Neither makes errors smaller.
 class ErrorModel {
  public:
   /// @param prior null: unforeseen forces alone. @param amplitudes of its modes; empty: none.
@@ -98,7 +109,10 @@ class ErrorModel {
   Size size() const { return size_; }
 
  private:
-  void group(double width);
+  struct Unknowns;
+  LinearPosterior posterior_of(const ForceRows& rows, const Unknowns& unknowns) const;
+  void judge(const ForceRows& rows, const Unknowns& unknowns);
+  void tell(const ForceRows& rows, const Unknowns& unknowns, const RunContext& context);
 
   Points nodes_;
   double point_variance_ = 0.0;         ///< of a row that stands for the reference density's one point, m2
@@ -106,11 +120,9 @@ class ErrorModel {
   Eigen::Index places_of_cameras_ = 6;  ///< unknowns of the pose and of further looks; they come last
   Eigen::Index modes_ = 0;              ///< columns of the prior's modes; they come first
   Eigen::MatrixXd spread_;              ///< 3 N x K: motion of the nodes by one posterior deviation each
-  Eigen::MatrixXd root_;                ///< K x K: posterior covariance root root^T of the unknowns
-  Eigen::MatrixXd rows_;  ///< A: how each row answers to the unknowns, one deviation each beforehand
-  Eigen::VectorXd variance_, left_, mean_;
-  Points points_;
-  std::vector<std::vector<Eigen::Index>> places_;
+  double scale_ = 1.0;                  ///< of spread_ over the linear model's
+  /// By the noise that is to be expected: what is found by it is no reason for doubt.
+  std::shared_ptr<const LinearPosterior> judged_;
   Size size_;
 };
 
