@@ -3,6 +3,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "ball_ct.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/correct_around.h"
 #include "glisson/engine/commands/edit_labels.h"
@@ -27,21 +28,11 @@ using Notes = std::vector<std::string>;
 
 namespace {
 
-/// A liver of 36 mm about the origin.
-Image ball_ct() {
-  Image image;
-  image.grid.size = {40, 40, 36};
-  image.grid.spacing_mm = {3.0, 3.0, 3.0};
-  image.grid.origin_mm = {-58.5, -58.5, -52.5};
-  std::vector<std::int16_t> voxels;
-  voxels.reserve(static_cast<std::size_t>(image.grid.voxel_count()));
-  for (int k = 0; k < 36; ++k)
-    for (int j = 0; j < 40; ++j)
-      for (int i = 0; i < 40; ++i)
-        voxels.push_back(image.grid.p_in_ct(Eigen::Vector3d(i, j, k)).xyz.norm() < 36e-3 ? 110 : -100);
-  image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
-  return image;
-}
+/// Of the ball that is the liver; metres.
+const Eigen::Vector3d kMiddle(-0.08, 0.0, 0.0);
+constexpr double kRadius = 36.0;  // mm
+
+PointsIn<CtFrame> at_middle() { return kMiddle.transpose(); }
 
 Segment coarse() {
   Segment segment;
@@ -77,14 +68,14 @@ class LabelNotesTest : public QObject {
 
 void LabelNotesTest::init() {
   folder_ = std::make_unique<TemporaryFolder>();
-  write_image(path("ct.nrrd"), ball_ct());
+  write_image(path("ct.nrrd"), ball_ct(kRadius));
   Engine::Options options;
   options.runner = Runner::inline_;
   engine_ = std::make_unique<Engine>(std::move(options));
   QCOMPARE(run(ImportImage{path("ct.nrrd")}).status, Status::done);
   segmentation::Seeds seeds;
-  seeds.liver = PointsIn<CtFrame>::Zero(2, 3);
-  seeds.liver.row(1) = Eigen::RowVector3d(0.0, 0.05, 0.0);  // in the air
+  seeds.liver = kMiddle.transpose().replicate(2, 1);
+  seeds.liver(1, 1) = 0.05;  // in the fat
   QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
   const Outcome segmented = run(coarse());
   QVERIFY2(segmented.status == Status::done, segmented.error.c_str());
@@ -94,7 +85,7 @@ void LabelNotesTest::init() {
 
 void LabelNotesTest::TheyComeBackWithTheCase() {
   const Notes before = told();
-  QCOMPARE(run(EditLabels{ball({0, 0, 39}, 6)}).status, Status::done);
+  QCOMPARE(run(EditLabels{ball({-80, 0, 39}, 9)}).status, Status::done);
   QCOMPARE(told(), before);
   QCOMPARE(run(SaveCase{path("a.glisson")}).status, Status::done);
   QCOMPARE(run(ImportImage{path("ct.nrrd")}).status, Status::done);
@@ -104,7 +95,7 @@ void LabelNotesTest::TheyComeBackWithTheCase() {
 
 void LabelNotesTest::AClickThatCorrectsTakesNoneAway() {
   const Notes before = told();
-  CorrectAround click{{{Point<CtFrame>(Eigen::Vector3d(0.0, 0.0, 0.03)), false}}, {}, {}};
+  CorrectAround click{{{Point<CtFrame>(kMiddle + Eigen::Vector3d(0.0, 0.0, 0.03)), false}}, {}, {}};
   const Outcome corrected = run(click);
   QVERIFY2(corrected.status == Status::done, corrected.error.c_str());
   QVERIFY(corrected.figures.at("voxels_changed") > 0.0);
@@ -114,7 +105,7 @@ void LabelNotesTest::AClickThatCorrectsTakesNoneAway() {
 void LabelNotesTest::TheyGoBackAndForthWithTheSteps() {
   const Notes before = told();
   QCOMPARE(run(ExportLabels{path("l.seg.nrrd")}).status, Status::done);
-  QCOMPARE(run(EditLabels{ball({0, 0, 39}, 6)}).status, Status::done);
+  QCOMPARE(run(EditLabels{ball({-80, 0, 39}, 9)}).status, Status::done);
   const Outcome imported = run(ImportLabels{path("l.seg.nrrd"), {}});
   QVERIFY2(imported.status == Status::done, imported.error.c_str());
   QCOMPARE(told(), imported.notes);
@@ -132,8 +123,8 @@ void LabelNotesTest::TheyGoBackAndForthWithTheSteps() {
 
 void LabelNotesTest::WhatIsToldOfAKeptLiverOutlastsANewSearchInIt() {
   segmentation::Seeds seeds;
-  seeds.liver = PointsIn<CtFrame>::Zero(1, 3);
-  seeds.lesions = {PointsIn<CtFrame>::Zero(1, 3)};
+  seeds.liver = at_middle();
+  seeds.lesions = {at_middle()};
   QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
   Segment lesions = coarse();
   lesions.options.structures = segmentation::kNoStructures;
@@ -151,9 +142,9 @@ void LabelNotesTest::WhatIsToldOfAKeptLiverOutlastsANewSearchInIt() {
 
 void LabelNotesTest::WhatLiesOutsideOfARegionOrIsLockedIsToldStill() {
   segmentation::Seeds seeds;
-  seeds.liver = PointsIn<CtFrame>::Zero(1, 3);
-  seeds.lesions = {PointsIn<CtFrame>::Zero(1, 3), PointsIn<CtFrame>::Zero(1, 3)};
-  seeds.lesions[1](0, 0) = 0.03;
+  seeds.liver = at_middle();
+  seeds.lesions = {at_middle(), at_middle()};
+  seeds.lesions[1](0, 0) += 0.03;
   QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
   QCOMPARE(run(coarse()).status, Status::done);
   const auto of_lesion = [&](const char* lesion) {
@@ -167,8 +158,8 @@ void LabelNotesTest::WhatLiesOutsideOfARegionOrIsLockedIsToldStill() {
   Segment second = coarse();
   second.options.structures = segmentation::kNoStructures;
   second.options.structures.lesions = true;
-  second.options.region =
-      Eigen::AlignedBox3d(Eigen::Vector3d(0.015, -0.03, -0.03), Eigen::Vector3d(0.05, 0.03, 0.03));
+  second.options.region = Eigen::AlignedBox3d(kMiddle + Eigen::Vector3d(0.015, -0.03, -0.03),
+                                              kMiddle + Eigen::Vector3d(0.05, 0.03, 0.03));
   const Outcome in_box = run(second);
   QVERIFY2(in_box.status == Status::done, in_box.error.c_str());
   QCOMPARE(of_lesion("lesion_1."), first);
