@@ -48,6 +48,7 @@ class FindingsTest : public QObject {
   void WhatIsNoNumberIsNotCertain();
   void WhatIsSeenIsKnownBetter();
   void MoreOfTheSurfaceLeavesLessUnknownEverywhere();
+  void WhatFitsWorseThanItShouldIsKnownWorse();
   void EachNodesCovarianceIsThatOfItsPlace();
   void TheCamerasPlaceDoesNotMatter();
   void ARightPlaceLeavesNothingToFind();
@@ -154,6 +155,20 @@ void FindingsTest::MoreOfTheSurfaceLeavesLessUnknownEverywhere() {
                         of_little = error_of(model_, pose, little, 1e-3).expected();
   QVERIFY((of_much.array() < 1.05 * of_little.array()).all());
   QVERIFY(of_much.mean() < 0.8 * of_little.mean());
+}
+
+void FindingsTest::WhatFitsWorseThanItShouldIsKnownWorse() {
+  const CameraFromCt pose = phantom::view();
+  const LabelledCloud fits = patch(model_, 0.3, 1e-3);
+  LabelledCloud bent = fits;  // waves of 60 mm, which hardly any force makes
+  for (Eigen::Index i = 0; i < bent.points.rows(); ++i)
+    bent.points(i, 2) += 8e-3 * std::sin(105.0 * bent.points(i, 0)) * std::cos(105.0 * bent.points(i, 1));
+  const double before = error_of(model_, pose, fits, 1e-3).expected().mean(),
+               after = error_of(model_, pose, bent, 1e-3).expected().mean();
+  QVERIFY2(after > 1.3 * before, qPrintable(QString("%1, %2 mm").arg(1e3 * before).arg(1e3 * after)));
+  // A cloud that is noisier than what the fit weighed by is known worse by that.
+  const double noisy = error_of(model_, pose, fits, 6e-3).expected().mean();
+  QVERIFY2(noisy > 1.1 * before, qPrintable(QString("%1, %2 mm").arg(1e3 * before).arg(1e3 * noisy)));
 }
 
 void FindingsTest::EachNodesCovarianceIsThatOfItsPlace() {

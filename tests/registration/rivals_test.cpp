@@ -38,6 +38,7 @@ class RivalsTest : public QObject {
   void FitsOfOnePlaceCountOnce();
   void APlaceHasOneVote();
   void WhatIsFarOffIsElsewhere();
+  void NearFitsShareWhatTheirPlaceHas();
   void AtMostThreeAreToldAndNoneOutOfQuestion();
   void TheChosenPlaceExplainsItsPoints();
   void ChosenTwiceTheFormerPlaceIsBack();
@@ -80,6 +81,21 @@ void RivalsTest::WhatIsFarOffIsElsewhere() {
   QCOMPARE(
       elsewhere(here, {{shifted(here, 19.9), 0.3}, {shifted(here, 20.1), 0.2}, {shifted(here, 90), 0.1}}),
       0.2 + 0.1);
+}
+
+void RivalsTest::NearFitsShareWhatTheirPlaceHas() {
+  const Points here = phantom::tetrahedra(2, 2, 1).vertices;
+  const std::vector<OtherFit> fits = {{shifted(here, 4.0), 0.0},
+                                      {shifted(here, 4.2), -1.0},   // the same end once more
+                                      {shifted(here, 0.3), 0.0},    // the chosen one's end
+                                      {shifted(here, 30.0), -1.0},  // another place
+                                      {shifted(here, -6.0), std::log(0.5)}};
+  const auto near = weigh_near(here, fits, 1.0);
+  QCOMPARE(near.size(), std::size_t{2});
+  QVERIFY(std::abs(near[0].probability - 1.0 / 2.5) < 1e-12);
+  QVERIFY(std::abs(near[1].probability - 0.5 / 2.5) < 1e-12);
+  QVERIFY(near[0].nodes_in_camera == fits[0].nodes_in_camera);
+  QCOMPARE(weigh_places(here, fits, 1.0).size(), std::size_t{1});  // which they do not dilute
 }
 
 void RivalsTest::AtMostThreeAreToldAndNoneOutOfQuestion() {

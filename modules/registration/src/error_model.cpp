@@ -19,9 +19,12 @@ constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehan
 constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
 constexpr double kPlace = 25e-3;              ///< m
 constexpr double kTolerance = 25.0;           ///< of the robust weight, squared deviations (shape_fit.cpp)
-/// Factor on the linear model's deviations. They leave out contacts, and errors of the segmentation beyond its
-/// mean. With it 95 % ellipsoids held 95 % of development livers' lesions (EVIDENCE.md).
+/// Factor on the linear model's deviations. They leave out contacts, and errors of the segmentation beyond
+/// its mean. With it 95 % ellipsoids held 95 % of development livers' lesions (EVIDENCE.md).
 constexpr double kLeftOut = 1.3;
+/// The same where the cloud has too few places to tell how well one is predicted by the others.
+constexpr double kUntold = 1.6;
+constexpr std::size_t kLeastPlaces = 3;
 /// So many amplitudes of the expected size are believed in before any is seen.
 constexpr double kBelieved = 5.0;
 
@@ -133,10 +136,12 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   const auto rows = [&](double sigma) {
     return find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
   };
-  judge(rows(std::hypot(noise, options.surface)), unknowns);
+  const double to_be_expected = std::hypot(noise, options.surface);
+  judge(rows(to_be_expected), unknowns);
   if (context.cancelled()) return;
-  point_variance_ = options.sigma * options.sigma / options.information;
-  tell(rows(options.sigma), unknowns, context);
+  const double sigma = std::max(options.sigma, to_be_expected);
+  point_variance_ = sigma * sigma / options.information;
+  tell(rows(sigma), unknowns, context);
 }
 
 LinearPosterior ErrorModel::posterior_of(const ForceRows& rows, const Unknowns& unknowns) const {
@@ -172,7 +177,9 @@ void ErrorModel::tell(const ForceRows& rows, const Unknowns& unknowns, const Run
   Eigen::VectorXd prior = Eigen::VectorXd::Ones(unknowns.count());
   prior.head(deforming).setConstant(std::max(1.0, larger));
   seen.solve(prior);
-  scale_ = kLeftOut * std::sqrt(std::max(1.0, seen.held_out(context).second));
+  scale_ = seen.places.size() < kLeastPlaces
+               ? kUntold
+               : kLeftOut * std::sqrt(std::max(1.0, seen.held_out(context).second));
   spread_ = scale_ * (unknowns.motions.leftCols(unknowns.count()) * seen.root);
 }
 
@@ -180,7 +187,6 @@ void ErrorModel::add_rival(const Points& elsewhere, double probability) {
   const Points away = std::sqrt(probability) * (elsewhere - nodes_);
   spread_.conservativeResize(Eigen::NoChange, spread_.cols() + 1);
   spread_.rightCols<1>() = Eigen::Map<const Eigen::VectorXd>(away.data(), away.size());
-  ++rivals_;
 }
 
 Eigen::MatrixXd ErrorModel::deviations(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
@@ -196,9 +202,8 @@ Eigen::Matrix3d ErrorModel::covariance(const Eigen::Vector4i& nodes, const Eigen
 }
 
 Eigen::MatrixXd ErrorModel::answers(const ForceRows& rows) const {
-  Eigen::MatrixXd answers = rows.along(spread_);
-  answers.leftCols(spread_.cols() - rivals_) /= scale_;
-  return answers;
+  // The cloud's noise is larger by that, too.
+  return rows.along(spread_) / scale_;
 }
 
 double ErrorModel::variance_of_area(double area) const {

@@ -85,7 +85,8 @@ std::vector<FoundForce> found_forces(const ContactForceFit& fit) {
 
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
                     const std::optional<ShapeFits>& shapes, const Registered& made,
-                    const Registration& registration, const OtherFits& others, bool pose_known,
+                    const Registration& registration, const OtherFits& others,
+                    const std::vector<RegistrationRival>& rivals, bool pose_known,
                     const RunContext& context) {
   const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
   const ShapeFit* shape = shapes && !made.forces ? &shapes->best() : nullptr;
@@ -105,8 +106,15 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
                    shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
                    roughness_of(prepared, context), known, context);
   if (context.cancelled()) return error;
-  for (const RegistrationRival& other : weigh_fits(others.here, others.fits, others.votes))
-    if (other.probability > 1e-4) error.add_rival(other.nodes_in_camera, other.probability);
+  double here = 1.0;
+  const auto add = [&error](const RegistrationRival& other, double share) {
+    if (share * other.probability > 1e-4) error.add_rival(other.nodes_in_camera, share * other.probability);
+  };
+  for (const RegistrationRival& rival : rivals) {
+    add(rival, 1.0);
+    here -= rival.probability;
+  }
+  for (const RegistrationRival& near : weigh_near(others.here, others.fits, others.votes)) add(near, here);
   return error;
 }
 
@@ -391,8 +399,8 @@ class Run {
   bool examine_it() {
     const OtherFits others = other_fits(shapes_, result(), registration_, elastic_);
     std::vector<RegistrationRival> rivals = weigh_places(others.here, others.fits, others.votes);
-    examined_.error = std::make_shared<const ErrorModel>(
-        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, others, knows_pose(), context_));
+    examined_.error = std::make_shared<const ErrorModel>(error_of(
+        model_, cloud_, elastic_, shapes_, result(), registration_, others, rivals, knows_pose(), context_));
     if (context_.cancelled()) return false;
     bound_lesions_ = bound_lesions(model_);
     examined_.lesions = lesions_of(model_.mesh, bound_lesions_, *examined_.error, registration_);

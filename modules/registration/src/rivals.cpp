@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -24,15 +25,16 @@ constexpr double kSameFit = 0.5e-3;                   ///< m: of two that have c
 
 double apart(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
 
-/// @param least mean distance from which on two fits are two.
+/// @param least mean distance from which on two fits are two. @param most from the chosen one.
 std::vector<RegistrationRival> weighed(const Points& chosen, std::vector<OtherFit> fits, double votes,
-                                       double least) {
+                                       double least, double most) {
   std::stable_sort(fits.begin(), fits.end(),
                    [](const OtherFit& a, const OtherFit& b) { return a.log_odds > b.log_odds; });
   std::vector<RegistrationRival> places;
   double total = 1.0;
   for (OtherFit& fit : fits) {
-    if (!(apart(fit.nodes_in_camera, chosen) > least) ||
+    const double away = apart(fit.nodes_in_camera, chosen);
+    if (!(away > least) || away > most ||
         std::any_of(places.begin(), places.end(), [&](const RegistrationRival& better) {
           return !(apart(fit.nodes_in_camera, better.nodes_in_camera) > least);
         }))
@@ -54,11 +56,11 @@ double votes_of_a_place(double information) {
 }
 
 std::vector<RegistrationRival> weigh_places(const Points& chosen, std::vector<OtherFit> fits, double votes) {
-  return weighed(chosen, std::move(fits), votes, kRivalAway);
+  return weighed(chosen, std::move(fits), votes, kRivalAway, std::numeric_limits<double>::infinity());
 }
 
-std::vector<RegistrationRival> weigh_fits(const Points& chosen, std::vector<OtherFit> fits, double votes) {
-  return weighed(chosen, std::move(fits), votes, kSameFit);
+std::vector<RegistrationRival> weigh_near(const Points& chosen, std::vector<OtherFit> fits, double votes) {
+  return weighed(chosen, std::move(fits), votes, kSameFit, kRivalAway);
 }
 
 double elsewhere(const Points& chosen, const std::vector<RegistrationRival>& places) {

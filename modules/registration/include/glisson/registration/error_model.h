@@ -35,7 +35,7 @@ Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance);
 /// What an ErrorModel takes for granted.
 struct ErrorModelOptions {
   /// Deviation of a surface point that the registration weighed by (ShapeFitOptions::sigma_surface), m: a
-  /// posterior is the error of an estimate by its own deviations.
+  /// posterior is the error of an estimate by its own deviations. A noisier cloud counts by its noise.
   double sigma = 3e-3;
   /// Deviation of the patient's surface from the true one, m: segmentation and mesh. With the cloud's noise
   /// it says which misfit is to be expected.
@@ -58,7 +58,7 @@ struct ErrorModelOptions {
 /// How large they are the cloud tells, too. Where it shows deformations that are larger than expected, so are
 /// those that it does not show (variance of the amplitudes by their squares, empirical Bayes). And where
 /// places of it are predicted worse by the others than they should be, all is less sure (the a posteriori
-/// variance factor of adjustment theory). Neither makes errors smaller.
+/// variance factor of adjustment theory). Neither factor is less than one.
 class ErrorModel {
  public:
   /// @param prior null: unforeseen forces alone. @param amplitudes of its modes; empty: none.
@@ -116,7 +116,6 @@ class ErrorModel {
 
   Points nodes_;
   double point_variance_ = 0.0;         ///< of a row that stands for the reference density's one point, m2
-  Eigen::Index rivals_ = 0;             ///< columns of spread_ that are rivals; they come last
   Eigen::Index places_of_cameras_ = 6;  ///< unknowns of the pose and of further looks; they come last
   Eigen::Index modes_ = 0;              ///< columns of the prior's modes; they come first
   Eigen::MatrixXd spread_;              ///< 3 N x K: motion of the nodes by one posterior deviation each

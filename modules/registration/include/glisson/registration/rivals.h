@@ -36,9 +36,10 @@ double votes_of_a_place(double information);
 /// @param votes log odds are divided by it, see votes_of_a_place().
 std::vector<RegistrationRival> weigh_places(const PointsIn<CameraFrame>& chosen, std::vector<OtherFit> fits,
                                             double votes);
-/// Every fit that ended elsewhere than `chosen` and all better ones, be it by half a millimetre, with its
-/// probability likewise: the spread between them is a part of the error (law of total variance).
-std::vector<RegistrationRival> weigh_fits(const PointsIn<CameraFrame>& chosen, std::vector<OtherFit> fits,
+/// Fits that ended nearer than that to `chosen`, and half a millimetre and more from it and from all better
+/// ones, with the probability of each among these and the chosen one: their spread is a part of the error
+/// (law of total variance).
+std::vector<RegistrationRival> weigh_near(const PointsIn<CameraFrame>& chosen, std::vector<OtherFit> fits,
                                           double votes);
 /// Probability that the organ is more than 20 mm away from where it was put.
 double elsewhere(const PointsIn<CameraFrame>& chosen, const std::vector<RegistrationRival>& places);
