@@ -19,9 +19,9 @@ constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehan
 constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
 constexpr double kPlace = 25e-3;              ///< m
 constexpr double kTolerance = 25.0;           ///< of the robust weight, squared deviations (shape_fit.cpp)
-/// Factor on the linear model's deviations. They leave out contacts, and errors of the segmentation beyond its
-/// mean. With it 95 % ellipsoids held 96.5 % of development livers' lesions: a little more than asked, since
-/// livers that nothing was set on are harder (EVIDENCE.md).
+/// Factor on the linear model's deviations. They leave out contacts, and errors of the segmentation beyond
+/// its mean. With it 95 % ellipsoids held 96.5 % of development livers' lesions: a little more than asked,
+/// since livers that nothing was set on are harder (EVIDENCE.md).
 constexpr double kLeftOut = 1.5;
 /// The same where the cloud has too few places to tell how well one is predicted by the others.
 constexpr double kUntold = 1.6;
