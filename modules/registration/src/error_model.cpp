@@ -86,7 +86,7 @@ double mean_error(const Eigen::Matrix3d& covariance) {
 
 void ErrorModelOptions::validate() const {
   const OptionCheck demand("error model");
-  demand(sigma > 0.0, "sigma", sigma, "Give a positive length, in metres");
+  demand(sigma > 0.0, "sigma", sigma, "Give a positive number");
   demand(surface >= 0.0, "surface", surface, "Give a length from zero, in metres");
   demand(information > 0.0, "information", information, "Give a positive number");
   demand(unforeseen >= 0.0, "unforeseen", unforeseen, "Give a length from zero, in metres");

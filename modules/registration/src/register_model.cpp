@@ -107,14 +107,12 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
                    roughness_of(prepared, context), known, context);
   if (context.cancelled()) return error;
   double here = 1.0;
-  const auto add = [&error](const RegistrationRival& other, double share) {
-    if (share * other.probability > 1e-4) error.add_rival(other.nodes_in_camera, share * other.probability);
-  };
   for (const RegistrationRival& rival : rivals) {
-    add(rival, 1.0);
+    error.add_rival(rival.nodes_in_camera, rival.probability);
     here -= rival.probability;
   }
-  for (const RegistrationRival& near : weigh_near(others.here, others.fits, others.votes)) add(near, here);
+  for (const RegistrationRival& near : weigh_near(others.here, others.fits, others.votes))
+    if (const double p = here * near.probability; p > 1e-4) error.add_rival(near.nodes_in_camera, p);
   return error;
 }
 
