@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string_view>
 
 namespace glisson::segmentation {
@@ -41,6 +42,23 @@ std::vector<std::string> with_kept_notes(const std::vector<std::string>& former,
   std::ranges::copy_if(former, std::back_inserter(all), holds);
   std::ranges::move(told, std::back_inserter(all));
   return all;
+}
+
+bool is_answered(const std::string& note, const Eigen::AlignedBox3d& region, const Seeds& seeds,
+                 const std::vector<std::string>& told) {
+  const std::string code = note.substr(0, note.find(' '));
+  if (code == "liver.cut_by_region") return true;
+  const Points* clicks = code == "seed.not_liver_taken"                 ? &seeds.background
+                         : code.starts_with("seed.")                    ? &seeds.liver
+                         : code == "portal_vein.click_without_effect"   ? &seeds.portal_vein
+                         : code == "hepatic_veins.click_without_effect" ? &seeds.hepatic_veins
+                                                                        : nullptr;
+  if (clicks == nullptr)
+    return std::ranges::any_of(told,
+                               [&](const std::string& now) { return now.substr(0, now.find(' ')) == code; });
+  const int number = code.size() < note.size() ? std::atoi(note.c_str() + code.size()) : 0;
+  // One that is not there any more was taken away for it.
+  return number < 1 || number > clicks->rows() || region.contains(clicks->row(number - 1).transpose());
 }
 
 }  // namespace glisson::segmentation

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/segment.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,25 +14,6 @@
 
 namespace glisson::engine {
 namespace {
-
-/// Whether a search in a region has looked again into what a former note tells: of the region's border, of a
-/// click that lies in it, of what is told once more with another value.
-bool is_answered(const std::string& note, const Eigen::AlignedBox3d& region, const segmentation::Seeds& seeds,
-                 const std::vector<std::string>& told) {
-  const std::string code = note.substr(0, note.find(' '));
-  if (code == "liver.cut_by_region") return true;
-  const Points* clicks = code == "seed.not_liver_taken"                 ? &seeds.background
-                         : code.starts_with("seed.")                    ? &seeds.liver
-                         : code == "portal_vein.click_without_effect"   ? &seeds.portal_vein
-                         : code == "hepatic_veins.click_without_effect" ? &seeds.hepatic_veins
-                                                                        : nullptr;
-  if (clicks == nullptr)
-    return std::ranges::any_of(told,
-                               [&](const std::string& now) { return now.substr(0, now.find(' ')) == code; });
-  const int number = code.size() < note.size() ? std::atoi(note.c_str() + code.size()) : 0;
-  // One that is not there any more was taken away for it.
-  return number < 1 || number > clicks->rows() || region.contains(clicks->row(number - 1).transpose());
-}
 
 Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, const RunContext& context,
                                const Services& services) {
@@ -54,7 +33,7 @@ Cancellable<FoundLabels> found(const Segment& command, const CaseState& state, c
   };
   if (command.options.region)
     anew.is_answered = [&](const std::string& note) {
-      return is_answered(note, *command.options.region, seeds, segmented->report.notes);
+      return segmentation::is_answered(note, *command.options.region, seeds, segmented->report.notes);
     };
   return FoundLabels{
       std::move(segmented->labels),

@@ -120,7 +120,8 @@ class ErrorModel {
   Eigen::Index modes_ = 0;              ///< columns of the prior's modes; they come first
   Eigen::MatrixXd spread_;              ///< 3 N x K: motion of the nodes by one posterior deviation each
   double scale_ = 1.0;                  ///< of spread_ over the linear model's
-  /// By the noise that is to be expected: what is found by it is no reason for doubt.
+  /// Of the noise that is to be expected, not of what these points show: whatever there is to doubt is judged
+  /// by it.
   std::shared_ptr<const LinearPosterior> judged_;
   Size size_;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "glisson/patient/label_map.h"
+#include "glisson/segmentation/segment.h"
 
 namespace glisson::segmentation {
 
@@ -24,5 +26,11 @@ struct PartlyAnew {
 ///   image) is taken from that.
 std::vector<std::string> with_kept_notes(const std::vector<std::string>& former, const PartlyAnew& anew,
                                          std::vector<std::string> told);
+
+/// Whether a search in a region has looked again into what a former note tells: of the region's border, of a
+/// click that lies in it, of what is told once more with another value.
+/// @param region in the frame of the seeds. @param told by that search.
+bool is_answered(const std::string& note, const Eigen::AlignedBox3d& region, const Seeds& seeds,
+                 const std::vector<std::string>& told);
 
 }  // namespace glisson::segmentation
