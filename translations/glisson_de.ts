@@ -13064,6 +13064,10 @@ Mode %3 bei %4 Abweichungen
         <translation>%1: fertig in %2 s – rechts zu lesende Hinweise: %3</translation>
     </message>
     <message>
+        <source>%1: done in %2 s – notes to read, under Segmentation: %3</source>
+        <translation>%1: fertig in %2 s – unter „Segmentierung“ zu lesende Hinweise: %3</translation>
+    </message>
+    <message>
         <source>%1: cancelled</source>
         <translation>%1: abgebrochen</translation>
     </message>

@@ -13064,6 +13064,10 @@ Mode %3 à %4 écarts types
         <translation>%1 : fait en %2 s – remarques à lire, à droite : %3</translation>
     </message>
     <message>
+        <source>%1: done in %2 s – notes to read, under Segmentation: %3</source>
+        <translation>%1 : fait en %2 s – remarques à lire, sous « Segmentation » : %3</translation>
+    </message>
+    <message>
         <source>%1: cancelled</source>
         <translation>%1 : annulé</translation>
     </message>

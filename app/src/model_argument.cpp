@@ -70,9 +70,8 @@ void write_deformed(const fs::path& path, const ModelArgument& argument, const S
     engine::write_registration(path, model, registration, argument.unit, said);
     return;
   }
-  NamedArrays fields = engine::registration_fields(registration);
-  for (const auto& [name, array] : said) fields[name] = array;
-  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit, fields);
+  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit,
+                                      engine::registration_fields(registration, said));
 }
 
 void declare_materials(Arguments& arguments) {

@@ -9,6 +9,8 @@
 #include <QScrollBar>
 #include <QToolButton>
 
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/task_button.h"
@@ -465,8 +467,16 @@ void SegmentationSeedsTest::NotesThatThePanelMayHideAreToldBelow() {
                     slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
   QVERIFY(settle());
   grow();
-  QVERIFY2(window_->status_text().contains(QLatin1String("notes to read, on the right: ")),
-           qPrintable(window_->status_text()));
+  const auto line = [&] { return window_->status_text(); };
+  QVERIFY2(line().contains(QLatin1String("notes to read, on the right: ")), qPrintable(line()));
+  // They stay a part of the case: who opens it is told so.
+  const auto path = folder_->path() / "noted.glisson";
+  window_->engine().post(engine::SaveCase{path, true});
+  QVERIFY(settle());
+  QVERIFY2(!line().contains(QLatin1String("notes to read")), qPrintable(line()));
+  window_->engine().post(engine::OpenCase{path});
+  QVERIFY(settle());
+  QVERIFY2(line().contains(QLatin1String("notes to read, under Segmentation: ")), qPrintable(line()));
 }
 
 }  // namespace glisson

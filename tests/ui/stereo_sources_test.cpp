@@ -101,12 +101,15 @@ class StereoSourcesTest : public QObject {
     QVERIFY(!dialog.again().isVisible());
     const QRect screen = dialog.screen()->availableGeometry();
     dialog.move(screen.right() - dialog.width() - 10, screen.top() + 10);
-    QSignalSpy done(&dialog.task(), &ui::TaskButton::done);
+    QSignalSpy done(&dialog.task(), &ui::TaskButton::done), ended(&dialog, &QDialog::finished);
     QTest::mouseClick(dialog.task().button(), Qt::LeftButton);
     auto& columns = child<QSpinBox>(dialog, "board_columns");
     QTRY_VERIFY(!columns.isEnabled() || done.count() == 1);  // what comes out belongs to what was asked for
     QCOMPARE(done.count(), 0);
+    dialog.reject();  // it works: it only steps back
+    QVERIFY(!dialog.isVisible() && ended.isEmpty());
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
+    QVERIFY(dialog.isVisible());
     QVERIFY(columns.isEnabled());
     const auto outcome = done[0][0].value<engine::Outcome>();
     QVERIFY2(outcome.status == engine::Status::done, outcome.error.c_str());
@@ -123,6 +126,8 @@ class StereoSourcesTest : public QObject {
     QCOMPARE(child<QTreeWidget>(dialog, "calibration_views").topLevelItemCount(), 9);
     columns.setValue(board_.columns + 1);
     QVERIFY(!dialog.again().isVisible());  // what was found is of another board
+    dialog.reject();
+    QCOMPARE(ended.count(), 1);
   }
 
   void AViewThatFitsFarWorseIsProposedAndLeftOut() {

@@ -30,7 +30,7 @@ Eigen::MatrixXd number(double value) { return Eigen::MatrixXd::Constant(1, 1, va
 
 }  // namespace
 
-NamedArrays registration_fields(const Registration& registration) {
+NamedArrays registration_fields(const Registration& registration, const NamedArrays& said) {
   NamedArrays fields;
   fields["residual_mm"] = number(1e3 * registration.residual);
   fields["seen_share"] = number(registration.seen_share);
@@ -55,6 +55,7 @@ NamedArrays registration_fields(const Registration& registration) {
     place << 1e3 * fork.centre.transpose(), 1e3 * fork.radius;
     fields[fork_name(fork) + kFork] = place;
   }
+  for (const auto& [name, array] : said) fields[name] = array;
   return fields;
 }
 
@@ -235,8 +236,7 @@ void read_report(const NamedArrays& fields, Registration& registration) {
 void write_registration(const fs::path& path, const PatientModel& model, const Registration& registration,
                         LengthUnit unit, const NamedArrays& said) {
   TetFile file;
-  file.field_data = registration_fields(registration);
-  for (const auto& [name, array] : said) file.field_data[name] = array;
+  file.field_data = registration_fields(registration, said);
   file.mesh = model.mesh;
   file.mesh.vertices = registration.nodes_in_camera;
   Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();

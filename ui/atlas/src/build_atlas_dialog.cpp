@@ -40,7 +40,7 @@ QStringList expectations(const atlas::BuildResult& built) {
 }  // namespace
 
 BuildAtlasDialog::BuildAtlasDialog(EngineBridge& engine, AtlasChoice& choice, QWidget* parent)
-    : QDialog(parent), choice_(choice) {
+    : TaskDialog(parent), choice_(choice) {
   setObjectName(QStringLiteral("build_atlas"));
   setWindowTitle(tr("Build an atlas"));
   auto* layout = new QVBoxLayout(this);
@@ -69,17 +69,10 @@ BuildAtlasDialog::BuildAtlasDialog(EngineBridge& engine, AtlasChoice& choice, QW
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  come_back_for(*build_);
   connect(build_, &TaskButton::done, this, &BuildAtlasDialog::show_outcome);
   connect(&choice_, &AtlasChoice::changed, this, &BuildAtlasDialog::show_state);
   show_state();
-}
-
-/// While it works it only steps back: what is told of the livers is told here.
-void BuildAtlasDialog::reject() {
-  if (build_->is_running())
-    hide();
-  else
-    QDialog::reject();
 }
 
 QLayout* BuildAtlasDialog::make_cases() {
@@ -161,7 +154,6 @@ void BuildAtlasDialog::show_state() {
 }
 
 void BuildAtlasDialog::show_outcome(const engine::Outcome& outcome) {
-  show();  // where it has stepped back
   const auto made = outcome.result.as<atlas::BuildResult>();
   if (outcome.status != engine::Status::done || !made) return;
   QStringList lines = expectations(*made);

@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "glisson/engine/parts/labels.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
@@ -79,12 +80,15 @@ void TaskStatus::show_done(const engine::Outcome& outcome) {
   const QString name = command_text(outcome.command), seconds = QString::number(outcome.seconds, 'f', 1);
   // Where a panel is longer than the window, what it notes may be out of sight, and this line never is. Of
   // files notes are told in a box.
-  const bool is_noted = outcome.traits.notice == engine::Notice::ordinary && !outcome.notes.empty();
-  set_style_property(text_, "role", is_noted ? "warning" : "");
-  text_->setText(is_noted ? tr("%1: done in %2 s – notes to read, on the right: %3")
-                                .arg(name, seconds)
-                                .arg(outcome.notes.size())
-                          : tr("%1: done in %2 s").arg(name, seconds));
+  const bool is_ordinary = outcome.traits.notice == engine::Notice::ordinary;
+  // A case that is opened brings along what its segmentation tells.
+  const auto kept = outcome.traits.replaces_case() ? engine::told_of_labels(engine_.state()).size() : 0;
+  const auto notes = is_ordinary ? outcome.notes.size() : 0;
+  set_style_property(text_, "role", notes + kept > 0 ? "warning" : "");
+  text_->setText(
+      notes > 0 ? tr("%1: done in %2 s – notes to read, on the right: %3").arg(name, seconds).arg(notes)
+      : kept > 0 ? tr("%1: done in %2 s – notes to read, under Segmentation: %3").arg(name, seconds).arg(kept)
+                 : tr("%1: done in %2 s").arg(name, seconds));
 }
 
 void TaskStatus::show_outcome(const engine::Outcome& outcome) {

@@ -44,7 +44,7 @@ QString pixels(double value) {
 
 }  // namespace
 
-CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QDialog(parent) {
+CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : TaskDialog(parent) {
   setWindowTitle(tr("Calibrate from boards"));
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
@@ -64,18 +64,12 @@ CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QD
   for (QDoubleSpinBox* length : {square_, marker_})
     connect(length, &QDoubleSpinBox::valueChanged, this, &CalibrationDialog::change_request);
   connect(results_, &CalibrationResults::ticks_changed, this, &CalibrationDialog::show_state);
-  for (TaskButton* task : {run_, again_})
+  for (TaskButton* task : {run_, again_}) {
+    come_back_for(*task);
     connect(task, &TaskButton::done, this, &CalibrationDialog::show_outcome);
+  }
   connect(&engine, &EngineBridge::tasks_changed, this, &CalibrationDialog::show_state);
   show_state();
-}
-
-/// While it works it only steps back: what a calibration says of itself is said here.
-void CalibrationDialog::reject() {
-  if (run_->is_running() || again_->is_running())
-    hide();
-  else
-    QDialog::reject();
 }
 
 QWidget* CalibrationDialog::make_fields() {
@@ -202,7 +196,6 @@ void CalibrationDialog::show_state() {
 }
 
 void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
-  show();  // where it has stepped back
   show_state();
   const auto sheet = outcome.result.as<engine::CalibrationSheet>();
   if (outcome.status != engine::Status::done || !sheet) return;  // the button says why

@@ -69,7 +69,8 @@ void write_landmarks(const std::filesystem::path& path, const Landmarks& landmar
 /// What a registration says of itself, so that it is not lost on the way: `residual_mm`, `seen_share`,
 /// `converged`, `doubts` (how many), `doubt_CODE` for each of them (its values; -1: it has none), and
 /// `lesion_N_covariance_mm2` (3 x 3) for each lesion.
-NamedArrays registration_fields(const Registration& registration);
+/// @param said more of it; comes before what has the same name.
+NamedArrays registration_fields(const Registration& registration, const NamedArrays& said = {});
 
 /// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x
 /// 4, the rigid part, translation in `unit`), and registration_fields(). At the nodes `expected_error_mm`,

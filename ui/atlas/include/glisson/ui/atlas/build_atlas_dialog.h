@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
 #include <filesystem>
 
 #include "glisson/engine/commands/build_atlas.h"
 #include "glisson/ui/atlas/atlas_choice.h"
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/common/task_dialog.h"
 
 class QCheckBox;
 class QLabel;
@@ -17,7 +17,7 @@ namespace glisson::ui {
 
 /// Builds an atlas of this person's cases: which cases, what it is called, where it is kept; and afterwards
 /// how well each liver is foretold by the others.
-class BuildAtlasDialog : public QDialog {
+class BuildAtlasDialog : public TaskDialog {
   Q_OBJECT
  public:
   /// @param choice its atlas is the base that the new one is built on
@@ -28,8 +28,6 @@ class BuildAtlasDialog : public QDialog {
   /// What the dialog asks the engine for, as it is filled in.
   engine::BuildAtlas command() const;
   TaskButton& task() { return *build_; }
-
-  void reject() override;
 
  signals:
   /// The folder that it lies in.

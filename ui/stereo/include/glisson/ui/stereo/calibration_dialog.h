@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
-
 #include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/common/task_dialog.h"
 #include "glisson/ui/stereo/calibration_results.h"
 
 class QComboBox;
@@ -17,7 +16,7 @@ class QSpinBox;
 namespace glisson::ui {
 
 /// Calibrates the laparoscope from a folder of pairs of pictures of a board, and says how far to trust it.
-class CalibrationDialog : public QDialog {
+class CalibrationDialog : public TaskDialog {
   Q_OBJECT
  public:
   explicit CalibrationDialog(EngineBridge& engine, QWidget* parent = nullptr);
@@ -27,8 +26,6 @@ class CalibrationDialog : public QDialog {
   TaskButton& task() { return *run_; }
   /// Calibrates again, with the views that are ticked.
   TaskButton& again() { return *again_; }
-
-  void reject() override;
 
  private:
   QWidget* make_fields();
