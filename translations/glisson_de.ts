@@ -9531,6 +9531,10 @@
         <translation>Registriert alle so viele Sekunden des Videos erneut, mit dem, was seither vom Organ gesehen wurde; übernommen, wo es nach Gewebe besser ist, das keine der beiden Registrierungen benutzt hat.</translation>
     </message>
     <message>
+        <source>The cloud (PLY) that the start was registered to: --register-again goes on from it, with what is marked in it (margin, notch).</source>
+        <translation>Die Punktwolke (PLY), auf die der Anfang registriert wurde: --register-again geht von ihr aus, mit dem, was in ihr markiert ist (Vorderrand, Kerbe).</translation>
+    </message>
+    <message>
         <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
         <translation>Versetzt die Registrierung um so viele Millimeter, bevor sie verfolgt wird: quer, nach unten und von der Kamera weg.</translation>
     </message>

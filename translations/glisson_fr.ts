@@ -9531,6 +9531,10 @@
         <translation>Recale à nouveau toutes les tant de secondes de la vidéo, avec ce qui a été vu de l’organe depuis ; adopté s’il est meilleur d’après du tissu qu’aucun des deux recalages n’a utilisé.</translation>
     </message>
     <message>
+        <source>The cloud (PLY) that the start was registered to: --register-again goes on from it, with what is marked in it (margin, notch).</source>
+        <translation>Le nuage (PLY) sur lequel le départ a été recalé : --register-again part de lui, avec ce qui y est marqué (bord antérieur, encoche).</translation>
+    </message>
+    <message>
         <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
         <translation>Décale le recalage d’autant de millimètres avant qu’il soit suivi : en travers, vers le bas et en s’éloignant de la caméra.</translation>
     </message>

@@ -5,6 +5,7 @@
 #include "exit_code.h"
 #include "glisson/core/numbered_files.h"
 #include "glisson/engine/commands/correct_tracking.h"
+#include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/register_again.h"
@@ -46,15 +47,21 @@ double missing(const std::vector<std::pair<int, fs::path>>& clouds) {
   return 1.0 + clouds.back().first - clouds.front().first - static_cast<double>(clouds.size());
 }
 
+LengthUnit cloud_unit(const Arguments& arguments, LengthUnit of_model) {
+  return arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : of_model;
+}
+
+/// @param faults of all clouds that were followed.
 void follow_clouds(Session& session, const Arguments& arguments, const ModelArgument& argument,
                    const std::vector<std::pair<int, fs::path>>& clouds, experiments::TrackRecord& record,
-                   FrameTeller& teller) {
-  const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+                   FrameTeller& teller, CloudFaults& faults) {
+  const LengthUnit unit = cloud_unit(arguments, argument.unit);
   double done = 0.0;
   for (const auto& [number, path] : clouds) {
     const OverlayFrame overlay =
         session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0},
                        ++done / static_cast<double>(clouds.size()));
+    faults = overlay.cloud_faults;
     record.add(number, overlay);
     teller.tell(overlay);
   }
@@ -188,8 +195,10 @@ void require_source(const Arguments& arguments) {
   if (arguments.has("clouds"))
     arguments.refuse_idle(QStringLiteral("--clouds"), {"video-right", "calibration", "mask", "mask-every"});
   else
-    arguments.refuse_idle(QStringLiteral("--video"), {"cloud-unit", "cloud-steps", "method"});
+    arguments.refuse_idle(QStringLiteral("--video"), {"cloud-steps", "method"});
   arguments.refuse_without("mask-network", {"mask-every"});
+  arguments.refuse_without("register-again", {"cloud"});
+  if (!arguments.has("clouds")) arguments.refuse_without("cloud", {"cloud-unit"});
   arguments.require_existing("correct");
 }
 
@@ -197,6 +206,10 @@ void require_source(const Arguments& arguments) {
 void start_tracking(const Arguments& arguments, Session& session, LengthUnit unit) {
   session.call("start", arguments.required_path("start").string());
   say_stiffness(arguments, session);
+  if (arguments.has("cloud")) {
+    session.call("cloud", arguments.path("cloud").string());
+    session.post(engine::ImportCloud{arguments.path("cloud"), cloud_unit(arguments, unit)});
+  }
   session.post(engine::ImportRegistration{arguments.required_path("start"), unit});
   engine::StartTracking command;
   command.materials = given_materials(arguments);
@@ -236,6 +249,10 @@ void declare_track(Arguments& arguments) {
       Cli::tr("Registers again every so many seconds of the video, with what has been seen of the organ "
               "since; taken where it is better by tissue that neither registration has used."),
       "SECONDS");
+  arguments.option("cloud",
+                   Cli::tr("The cloud (PLY) that the start was registered to: --register-again goes on from "
+                           "it, with what is marked in it (margin, notch)."),
+                   "cloud.ply");
   arguments.option("mask-network",
                    Cli::tr("Your own network (ONNX) that says what of the left picture is not liver; "
                            "MODEL.json beside it says what it wants. It only keeps points from pulling."),
@@ -289,11 +306,12 @@ int run_track(const QStringList& given) {
     out.commit(whole);
   };
   bool whole = false;
+  CloudFaults cloud_faults;
   try {
     whole = until_interrupted([&] {
       teller.begin(tracked, session.context());
       if (arguments.has("clouds"))
-        follow_clouds(session, arguments, argument, clouds, record, teller);
+        follow_clouds(session, arguments, argument, clouds, record, teller, cloud_faults);
       else
         follow_film(session, arguments, record, teller);
     });
@@ -309,6 +327,7 @@ int run_track(const QStringList& given) {
   keep(whole);
   session.tell(record.figures());
   if (!clouds.empty()) session.tell({{"clouds_missing", missing(clouds)}});
+  for (std::string& note : cloud_faults.notes()) session.notes.push_back(std::move(note));
   session.finish();
   if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));
   return 0;

@@ -132,6 +132,8 @@ void TheatreCommandsTest::AVideoThatEndsEarlyIsRecognised() {
   write_text(at("late.jsonl"), R"({"frame": 60, "correct": "undo"})");
   refused(track + QStringList{"--correct", "late.jsonl"}, "frame 60");
   refused(track + QStringList{"--register-again", "0.2"}, "--register-again", 2);
+  refused(track + QStringList{"--cloud", "c.ply"}, "without --register-again", 2);
+  refused(track + QStringList{"--register-again", "5", "--cloud", "none.ply"}, "none.ply");
   refused({"track", "--model", "m.vtu", "--start", "start.vtu", "--clouds", "c%d.ply", "--register-again",
            "5", "--out", "tracked"},
           "needs pictures", 2);
@@ -270,6 +272,7 @@ void TheatreCommandsTest::TrackWritesOneMeshACloud() {
     surface.vertices = bent(surface.vertices, bend);
     LabelledCloud cloud;
     cloud.points = sample_surface(surface, 600, static_cast<unsigned>(frame));
+    cloud.points.row(1) = cloud.points.row(0);  // there twice
     const std::string number = "0" + std::to_string(frame);
     write_cloud(at(("cloud_" + number + ".ply").c_str()), cloud);
     write_node_list(at(("truth_" + number + ".xyz").c_str()), bent(mesh.vertices, bend),
@@ -280,6 +283,7 @@ void TheatreCommandsTest::TrackWritesOneMeshACloud() {
            "--truth", "truth_%02d.xyz", "--out", "tracked", "--json", "tracked/t.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error));
   QCOMPARE(ran.error, QString());
+  QVERIFY2(ran.out.contains(QLatin1String("there twice were left out: 3")), qPrintable(ran.out));
   for (const char* name :
        {"tracked/registered_03.vtu", "tracked/registered_04.vtu", "tracked/registered_06.vtu"})
     QVERIFY2(fs::exists(at(name)), name);

@@ -31,8 +31,8 @@ Validity CloudFollower::follow(const LabelledCloud& cloud, int steps, FollowedBo
                                OverlayFrame& overlay) {
   LabelledCloud unlabelled = cloud;
   unlabelled.features.clear();
-  CloudFaults faults;
-  unlabelled = sound_cloud(unlabelled, from_camera_, faults);
+  unlabelled = sound_cloud(unlabelled, from_camera_, faults_);
+  overlay.cloud_faults = faults_;
   seen_ = unlabelled.points;
   if (unlabelled.size() < std::max(10, options_.minimum_pairs)) return Validity::too_few_points;
   const Points there = body.positions(), speed = body.velocities();

@@ -16,7 +16,8 @@ class CloudFollower {
 
   /// A cloud that is not valid, or that lies elsewhere than the organ was, is forgotten: the organ stays
   /// where it was.
-  /// @param steps of the springs, with new pairs each. @param overlay its pairs and residual are filled in.
+  /// @param steps of the springs, with new pairs each. @param overlay its pairs, residual and cloud faults
+  /// are filled in.
   Validity follow(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
   /// The points of the last cloud that could be used: sound_cloud().
   const PointsIn<CameraFrame>& seen() const { return seen_; }
@@ -30,6 +31,7 @@ class CloudFollower {
   bool from_camera_;  ///< the clouds; or they are in the model's frame
   std::optional<registration::ForceFollower> forces_;
   PointsIn<CameraFrame> seen_;
+  CloudFaults faults_;  ///< of all clouds
 };
 
 }  // namespace glisson::guidance

@@ -11,6 +11,7 @@
 #include "glisson/geometry/mesh.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/lesion_verdict.h"
+#include "glisson/patient/sound_cloud.h"
 
 namespace glisson {
 
@@ -177,6 +178,7 @@ struct OverlayFrame {
   double milliseconds = 0.0;           ///< tracking, correspondence and mechanics of this frame
   Evidence evidence;                   ///< the last one
   std::optional<MaskUse> mask;         ///< empty: none was used
+  CloudFaults cloud_faults;            ///< of all clouds that were followed until now
   std::vector<LesionVerdict> lesions;  ///< one a lesion of the model; a lesion without one is not drawn
   Level level() const { return level_of(validity); }
 };
