@@ -9532,7 +9532,7 @@
     </message>
     <message>
         <source>The cloud (PLY) that the start was registered to: --register-again goes on from it, with what is marked in it (margin, notch).</source>
-        <translation>Die Punktwolke (PLY), auf die der Anfang registriert wurde: --register-again geht von ihr aus, mit dem, was in ihr markiert ist (Vorderrand, Kerbe).</translation>
+        <translation>Die Punktwolke (PLY), auf die der Anfang registriert wurde: --register-again geht von ihr aus, mit dem, was in ihr markiert ist (Vorderrand, Nabelkerbe).</translation>
     </message>
     <message>
         <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>

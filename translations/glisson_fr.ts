@@ -9532,7 +9532,7 @@
     </message>
     <message>
         <source>The cloud (PLY) that the start was registered to: --register-again goes on from it, with what is marked in it (margin, notch).</source>
-        <translation>Le nuage (PLY) sur lequel le départ a été recalé : --register-again part de lui, avec ce qui y est marqué (bord antérieur, encoche).</translation>
+        <translation>Le nuage (PLY) sur lequel le départ a été recalé : --register-again part de lui, avec ce qui y est marqué (bord antérieur, échancrure).</translation>
     </message>
     <message>
         <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
