@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
   // Where the time of the default goes.
   const scene::OverlayStyle style;
   const scene::SurfaceRaster raster(camera);
-  scene::OverlayLayers layers;
+  scene::OverlayLayers layers(camera);
   std::vector<Label> lesions;
   for (const LesionVerdict& verdict : verdicts(model, nodes[0])) lesions.push_back(verdict.lesion);
   say("focus: meshes to layers",

@@ -200,16 +200,22 @@ void OverlayLooksTest::LinesLieAtEveryTenMillimetres() {
   // The upper side of the tube, which the camera sees, lies a radius nearer: 4 mm to 44 mm.
   model.vessels = {branch(structure::kPortalVein, 0.0, 0.006, 0.046, 2e-3)};
   const Picture picture = paint(model, style_of(Look::contours));
-  int lines = 0;
+  std::vector<double> lines;  // metres below the near side along the line of sight, in each one's middle
+  double first_dark = 0.0;
   bool was_dark = false;
   for (double x = -0.044; x < 0.044; x += 1e-4) {
-    const double share = (x + 0.048) / 0.096;
-    const auto here = colour(picture, pixel({x, 0.0, -0.025 + 0.006 + 0.04 * share - 2e-3}));
+    const double share = (x + 0.048) / 0.096, below = 0.006 + 0.04 * share - 2e-3;
+    const Eigen::Vector3d p(x, 0.0, below - 0.025);
+    const auto here = colour(picture, pixel(p));
     const bool is_dark = here[0] < 55 && here[1] < 55 && here[2] < 55;
-    lines += is_dark && !was_dark;
+    const double sight = below * std::hypot(x, p.z() + kBefore) / (p.z() + kBefore);
+    if (is_dark && !was_dark) first_dark = sight;
+    if (!is_dark && was_dark) lines.push_back(0.5 * (first_dark + sight));
     was_dark = is_dark;
   }
-  QCOMPARE(lines, 4);  // 10, 20, 30 and 40 mm
+  QCOMPARE(lines.size(), std::size_t{4});
+  for (std::size_t i = 0; i < 4; ++i)
+    QVERIFY2(std::abs(lines[i] - 0.01 * double(i + 1)) < 6e-4, qPrintable(QString::number(1e3 * lines[i])));
 }
 
 void OverlayLooksTest::ThinEndsAreLeftOutAndThinStretchesAreNot() {

@@ -86,17 +86,15 @@ class Window {
   Eigen::Vector2f centre_ = Eigen::Vector2f::Zero();
 };
 
-/// Depth of a pixel's structure below the liver's surface, metres.
-float depth_below(const SurfaceLayer& layer, const SurfaceLayer& liver, std::size_t pixel) {
-  return std::max(0.0F, layer.depth(pixel) - liver.depth(pixel));
+/// Depth of a pixel's vessel below the liver's surface along the line of sight, metres.
+float depth_below(const OverlayLayers& layers, std::size_t pixel) {
+  return std::max(0.0F, layers.vessels.depth(pixel) - layers.liver.depth(pixel)) * layers.sight[pixel];
 }
 
 /// Whether a line of equal depth, two pixels wide, runs through this pixel.
 bool on_contour(const OverlayLayers& layers, int row, int column, std::size_t pixel) {
   const SurfaceLayer& vessels = layers.vessels;
-  const auto band = [&](std::size_t place) {
-    return static_cast<int>(depth_below(vessels, layers.liver, place) / kBand);
-  };
+  const auto band = [&](std::size_t place) { return static_cast<int>(depth_below(layers, place) / kBand); };
   for (const auto& [down, right] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
     const int y = row + down, x = column + right;
     if (y < 0 || x < 0 || y >= vessels.height || x >= vessels.width) continue;
@@ -120,7 +118,7 @@ class VesselInk {
 
   cv::Vec4b at(int v, int u, std::size_t pixel) const {
     const SurfaceLayer& vessels = layers_.vessels;
-    const float below = depth_below(vessels, layers_.liver, pixel);
+    const float below = depth_below(layers_, pixel);
     const float fade = fades_[std::min(fades_.size() - 1, static_cast<std::size_t>(below / kFadeStep))];
     const bool edge = on_edge(vessels, v, u, pixel);
     const bool outlines_only = style_.look == Look::outlines || window_.is_there();

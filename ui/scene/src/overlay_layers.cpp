@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,27 @@ struct Work {
   std::size_t layer;
   std::uint8_t kind;
 };
+
+/// A smooth function over the picture: one ray for some pixels and their mean between is exact to a
+/// thousandth.
+std::vector<float> lengths_of_rays(const Camera& camera) {
+  constexpr int kCoarse = 8;  // pixels
+  cv::Mat1f coarse((camera.height + kCoarse - 1) / kCoarse, (camera.width + kCoarse - 1) / kCoarse);
+  for (int row = 0; row < coarse.rows; ++row)
+    for (int column = 0; column < coarse.cols; ++column) {
+      const auto ray = camera.mapped_ray(kCoarse * Eigen::Vector2d(column + 0.5, row + 0.5) -
+                                         Eigen::Vector2d::Constant(0.5));
+      coarse(row, column) =
+          ray ? static_cast<float>(ray->norm() / ray->z()) : 1.0F;  // nothing is drawn there
+    }
+  cv::Mat1f fine;
+  cv::resize(coarse, fine, coarse.size() * kCoarse, 0.0, 0.0, cv::INTER_LINEAR);
+  std::vector<float> lengths;
+  lengths.reserve(static_cast<std::size_t>(camera.height) * static_cast<std::size_t>(camera.width));
+  for (int row = 0; row < camera.height; ++row)
+    lengths.insert(lengths.end(), fine[row], fine[row] + camera.width);
+  return lengths;
+}
 
 constexpr std::size_t kLayers = 3;  ///< liver, vessels, lesions
 
@@ -114,6 +136,8 @@ std::vector<Part> parts_of(const std::vector<Work>& all, const std::vector<Proje
 }
 
 }  // namespace
+
+OverlayLayers::OverlayLayers(const Camera& camera) : sight(lengths_of_rays(camera)) {}
 
 void draw_layers(const DrawableModel& model, const Points& nodes_in_camera, const SurfaceRaster& raster,
                  const OverlayStyle& style, const std::vector<Label>& lesions, OverlayLayers& layers) {

@@ -15,7 +15,11 @@ enum VesselKind : std::uint8_t { kNoVessel = 0, kPortal = 1, kHepatic = 2, kArte
 
 /// What the camera would see of the deformed model, class by class. Kinds of lesions are their labels.
 struct OverlayLayers {
+  /// @param camera that sees them.
+  explicit OverlayLayers(const Camera& camera);
+
   SurfaceLayer liver, vessels, lesions;
+  std::vector<float> sight;  ///< of each pixel's ray, metres along it for one along the camera's axis
   std::vector<ProjectedSurface> projected;  ///< memory for draw_layers()
 };
 

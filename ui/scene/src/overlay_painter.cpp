@@ -81,7 +81,8 @@ struct OverlayPainter::Impl {
         raster(view),
         drawable(std::move(surfaces)),
         model(drawable->model),
-        structures(inner_structures(*model)) {
+        structures(inner_structures(*model)),
+        layers(view) {
     if (anterior_margin.rows() > 0) margin = bind_points(model->mesh, anterior_margin);
   }
 
