@@ -3132,10 +3132,6 @@
         <translation>braucht mehr als die fünf Terme k1 k2 p1 p2 k3</translation>
     </message>
     <message>
-        <source>is too large for a matrix</source>
-        <translation>ist zu groß für eine Matrix</translation>
-    </message>
-    <message>
         <source>has no calibration in it that is whole (of cameras, distortions and the transform between them, one file is missing)</source>
         <translation>enthält keine ganze Kalibrierung (von Kameras, Verzeichnungen und der Transformation zwischen ihnen fehlt eine Datei)</translation>
     </message>
@@ -3598,6 +3594,10 @@
     <message>
         <source>is larger than 4 GB</source>
         <translation>ist größer als 4 GB</translation>
+    </message>
+    <message>
+        <source>is larger than such a file can be</source>
+        <translation>ist größer, als eine solche Datei sein kann</translation>
     </message>
     <message>
         <source>nests lists deeper than any that is read here</source>

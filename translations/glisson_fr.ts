@@ -3132,10 +3132,6 @@
         <translation>utilise plus que les cinq termes k1 k2 p1 p2 k3</translation>
     </message>
     <message>
-        <source>is too large for a matrix</source>
-        <translation>est trop grand pour une matrice</translation>
-    </message>
-    <message>
         <source>has no calibration in it that is whole (of cameras, distortions and the transform between them, one file is missing)</source>
         <translation>ne contient pas de calibrage entier (des caméras, des distorsions et de la transformation entre elles, un fichier manque)</translation>
     </message>
@@ -3598,6 +3594,10 @@
     <message>
         <source>is larger than 4 GB</source>
         <translation>dépasse 4 Go</translation>
+    </message>
+    <message>
+        <source>is larger than such a file can be</source>
+        <translation>est plus gros qu’un tel fichier ne peut l’être</translation>
     </message>
     <message>
         <source>nests lists deeper than any that is read here</source>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "complaint.h"
+#include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
@@ -45,6 +47,8 @@ class CaseReachTest : public QObject {
   void LinksOutAreNotFollowed();
   void LinksWithinAre();
   void PipesAreNotWaitedFor();
+  void TheListOfACaseIsItsOwn();
+  void HolesAreNotSummed();
   void NetworkSourcesAreNotOpened_data();
   void NetworkSourcesAreNotOpened();
   void WhatNobodyHasChosenIsNamedOnly_data();
@@ -152,6 +156,43 @@ void CaseReachTest::PipesAreNotWaitedFor() {
   QCOMPARE(::mkfifo((path / "seeds.json").c_str(), 0600), 0);
   const std::string told = test::complaint([&] { (void)open_case(path, RunContext()); });
   QVERIFY2(told.find("neither a file nor a folder") != std::string::npos, told.c_str());
+}
+
+/// Which edition it is of is asked before anything else is looked at.
+void CaseReachTest::TheListOfACaseIsItsOwn() {
+  const fs::path path = write_case(nlohmann::json::object());
+  const fs::path list = path / "case.json";
+  const auto told = [&] { return test::complaint([&] { (void)Script(RunContext()).run(OpenCase{path}); }); };
+  fs::rename(list, folder_->path() / "elsewhere.json");
+  fs::create_symlink("../elsewhere.json", list);
+  QVERIFY2(told().find("leads out of the case") != std::string::npos, told().c_str());
+  QCOMPARE(edition_on_disk(path), std::string());
+  fs::remove(list);
+  QCOMPARE(::mkfifo(list.c_str(), 0600), 0);
+  {
+    const Claim writer(::open(list.c_str(), O_RDWR | O_CLOEXEC));  // else it is at its end at once
+    QVERIFY2(told().find("neither a file nor a folder") != std::string::npos, told().c_str());
+  }
+  fs::remove(list);
+  write_file_atomically(list, "{}");
+  fs::resize_file(list, 200'000'000);
+  QVERIFY2(told().find("is larger than such a file can be") != std::string::npos, told().c_str());
+}
+
+/// A file of any size costs nobody a place on the disk; to read it to its end takes hours.
+void CaseReachTest::HolesAreNotSummed() {
+  const fs::path path = write_case(nlohmann::json::object());
+  nlohmann::json document = read_json(path / "case.json");
+  document["files"] = {{"model/mesh.vtu", "0123456789abcdef"}};
+  write_json(path / "case.json", document);
+  fs::create_directory(path / "model");
+  write_file_atomically(path / "model" / "mesh.vtu", "x");
+  std::error_code failure;
+  fs::resize_file(path / "model" / "mesh.vtu", 6'000'000'000'000, failure);
+  if (failure) QSKIP("no file of this size can be made here");
+  std::vector<std::string> lost;
+  QVERIFY(open_case(path, RunContext(), &lost).has_value());
+  QCOMPARE(lost, (std::vector<std::string>{"case.changed_outside model/mesh.vtu"}));
 }
 
 void CaseReachTest::NetworkSourcesAreNotOpened_data() {

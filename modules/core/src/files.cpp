@@ -26,7 +26,7 @@ std::string lower_case(std::string text) {
 std::string lower_name(const fs::path& path) { return lower_case(path.filename().string()); }
 std::string lower_extension(const fs::path& path) { return lower_case(path.extension().string()); }
 
-std::string read_file(const fs::path& path) {
+std::string read_file(const fs::path& path, std::size_t most_bytes) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw FileError(path.string() + ": is a folder. Name a file in it.");
   // A pipe that nobody writes to is at its end at once, where opening it would wait for one who does.
@@ -34,7 +34,6 @@ std::string read_file(const fs::path& path) {
   if (file.descriptor() < 0)
     throw FileError(path.string() + ": cannot be opened (" + std::strerror(errno) + "). Check the path.");
   // A pipe or a device has no size and perhaps no end: counted while it is read.
-  constexpr std::size_t kMostBytes = 4'000'000'000;
   std::string content;
   std::vector<char> part(1 << 20);
   for (;;) {
@@ -46,8 +45,11 @@ std::string read_file(const fs::path& path) {
     }
     if (got < 0) throw FileError(path.string() + ": could not be read to its end. Check the disk.");
     content.append(part.data(), static_cast<std::size_t>(got));
-    if (content.size() > kMostBytes)
-      throw FileError(path.string() + ": is larger than 4 GB. Check that this is the right file.");
+    if (content.size() > most_bytes)
+      throw FileError(path.string() + (most_bytes == kMostFileBytes
+                                           ? ": is larger than 4 GB. Check that this is the right file."
+                                           : ": is larger than such a file can be. Check that this is "
+                                             "the right file."));
   }
 }
 

@@ -57,13 +57,11 @@ nlohmann::json parse_json(std::string_view text, const std::string& name) {
 }
 
 nlohmann::json read_json(const std::filesystem::path& path) {
-  // Many times what any list needs. What is made of a file takes up to twenty times its size.
-  constexpr std::uintmax_t kMostBytes = 100000000;
   std::error_code unknown;
-  if (const auto size = std::filesystem::file_size(path, unknown); !unknown && size > kMostBytes)
+  if (const auto size = std::filesystem::file_size(path, unknown); !unknown && size > kMostJsonBytes)
     throw InputError(path.string(), "", "is larger than 100 MB, more than any list needs",
                      "Check that this is the right file");
-  const std::string text = read_file(path);
+  const std::string text = read_file(path, kMostJsonBytes);
   try {
     return parse_json(text, path.string());
   } catch (const nlohmann::json::parse_error& failure) {

@@ -157,10 +157,11 @@ bool is_case(const fs::path& path) {
 }
 
 std::string edition_on_disk(const fs::path& folder) {
-  if (!holds_case(folder)) return {};
+  // It is asked before the case is opened, which refuses what is not its own.
+  if (!holds_case(folder) || !lies_in_case(folder, folder / kCaseFile)) return {};
   // FNV-1a, 64 bits: case.json lists every file with its sum.
   std::uint64_t sum = 14695981039346656037ULL;
-  for (const char byte : read_file(folder / kCaseFile))
+  for (const char byte : read_file(folder / kCaseFile, kMostJsonBytes))
     sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
   return std::to_string(sum);
 }
@@ -263,8 +264,9 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
       free_of_left_out(path, parts, part, state);
     }
     if (lost != nullptr)
-      for (const std::string& changed : changed_files(path, document))
+      for (const std::string& changed : changed_files(path, document, context))
         lost->push_back("case.changed_outside " + changed);
+    if (context.cancelled()) return {};
     return state;
   } catch (const json::exception& failure) {
     throw InputError(file, "", std::string("is malformed (") + failure.what() + ")",

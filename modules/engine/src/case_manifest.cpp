@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/engine/part.h"
 
@@ -24,6 +25,9 @@ namespace glisson::engine {
 namespace fs = std::filesystem;
 using nlohmann::json;
 namespace {
+
+/// More than any file that is read whole, and so than any that a case can be opened with.
+constexpr std::uintmax_t kMostPartBytes = kMostFileBytes + 1'000'000'000;
 
 /// Whether a name is one that this or an earlier edition gives to a file of a case.
 bool is_of_layout(const fs::path& relative) {
@@ -160,6 +164,9 @@ class WordSum {
 }  // namespace
 
 std::string sum_of(const fs::path& path) {
+  // A file with holes has any size: what no part can have written is summed by nobody.
+  std::error_code failure;
+  if (fs::file_size(path, failure) > kMostPartBytes || failure) return {};
   std::ifstream stream(path, std::ios::binary);
   std::vector<char> buffer(std::size_t{1} << 20U);
   WordSum sum;
@@ -192,7 +199,8 @@ std::string sum_as_listed(const fs::path& folder, const std::string& name) {
   return listed[name] == sum ? sum : std::string();
 }
 
-std::vector<std::string> changed_files(const fs::path& folder, const json& document) {
+std::vector<std::string> changed_files(const fs::path& folder, const json& document,
+                                       const RunContext& context) {
   std::vector<std::string> changed;
   const auto files = document.find("files");
   if (files == document.end() || !files->is_object()) return changed;
@@ -200,6 +208,7 @@ std::vector<std::string> changed_files(const fs::path& folder, const json& docum
     const fs::path relative = fs::path(name).lexically_normal();
     // What is no file of a part ("../mesh.vtu" neither) is not opened, whatever the list says.
     if (!is_of_layout(relative)) continue;
+    if (context.cancelled()) break;
     std::error_code failure;
     if (!fs::is_regular_file(folder / relative, failure) || sum != sum_of(folder / relative))
       changed.push_back(name);

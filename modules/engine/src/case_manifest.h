@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "glisson/core/run_context.h"
+
 /// @file
 /// What in a case's folder is the case's: its list of files, and what becomes of all others.
 
@@ -15,7 +17,8 @@ namespace glisson::engine {
 /// Says what the case's parts are: a folder that holds it is a case.
 inline constexpr const char* kCaseFile = "case.json";
 
-/// A sum over what a file holds: tells changes from none, not forgeries. Empty: it cannot be read.
+/// A sum over what a file holds: tells changes from none, not forgeries. Empty: it cannot be read, or is
+/// larger than any file of a case.
 std::string sum_of(const std::filesystem::path& path);
 /// The same of what a file would hold.
 std::string sum_of_content(std::string_view content);
@@ -27,8 +30,9 @@ nlohmann::json list_files(const std::filesystem::path& folder);
 std::string sum_as_listed(const std::filesystem::path& folder, const std::string& name);
 
 /// The listed files that are no longer what was saved, or gone: somebody else changed them. None where an
-/// earlier edition listed nothing. @param document case.json.
-std::vector<std::string> changed_files(const std::filesystem::path& folder, const nlohmann::json& document);
+/// earlier edition listed nothing. Some of them where it was cancelled. @param document case.json.
+std::vector<std::string> changed_files(const std::filesystem::path& folder, const nlohmann::json& document,
+                                       const RunContext& context);
 
 /// What a save would lose: everything in `former` that no save of this case wrote, or that somebody has
 /// changed since. Puts it into `fresh` as well: files by a second name for the same content, so that it costs

@@ -23,6 +23,8 @@ namespace {
 constexpr double kMillimetre = 1e-3;
 constexpr const char* kAgain = "Restore the case from a copy";
 constexpr std::size_t kMostTitle = 1000;  ///< bytes
+/// Bytes: of 64 million pixels, more than which no picture is read.
+constexpr std::size_t kMostPicture = 200'000'000;
 
 fs::path file_of(const fs::path& folder, int number, const char* ending) {
   char name[32];
@@ -218,7 +220,7 @@ KeptMoment read_moment(const fs::path& folder, int number) {
   const json& sums = file.entry("sums");
   for (const char* side : {"left", "right"}) {
     const fs::path path = file_of(folder, number, side == std::string("left") ? "_left.png" : "_right.png");
-    auto content = std::make_shared<const std::string>(read_file(path));
+    auto content = std::make_shared<const std::string>(read_file(path, kMostPicture));
     if (!sums.is_object() || !sums.contains(side) || sums[side] != sum_of_content(*content))
       throw InputError(path.string(), "", "is not the picture that was kept", kAgain);
     (side == std::string("left") ? moment.left_png : moment.right_png) = std::move(content);

@@ -12,13 +12,13 @@ namespace glisson {
 /// A whole mesh file. @throws FileError; InputError larger than the mesh of an organ can be: parsers need a
 /// dozen bytes for each of the file's.
 inline std::string mesh_bytes(const std::filesystem::path& path) {
-  constexpr std::uintmax_t kMost = 300000000;
+  constexpr std::size_t kMost = 300000000;
   std::error_code failure;
   const std::uintmax_t size = std::filesystem::file_size(path, failure);
   if (!failure && size > kMost)
     throw InputError(path.string(), "", "is larger than 300 MB, more than the mesh of an organ needs",
                      "Make the mesh coarser, or save it in binary");
-  return read_file(path);
+  return read_file(path, kMost);
 }
 
 /// Points, cells or rows that one file may hold: the surface of a liver from a fine CT has half a million

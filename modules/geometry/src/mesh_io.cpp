@@ -9,6 +9,7 @@
 #include "glisson/geometry/liver_size.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/geometry/vtk_xml_file.h"
+#include "mesh_bytes.h"
 #include "mesh_io_cells.h"
 #include "mesh_io_formats.h"
 #include "text_scanner.h"
@@ -187,7 +188,7 @@ void write_triangle_mesh(const fs::path& path, const TriangleMesh& mesh, LengthU
 }
 
 Points read_node_list(const fs::path& path, LengthUnit unit) {
-  const std::string content = read_file(path);
+  const std::string content = mesh_bytes(path);
   TextScanner lines(content, path.string());
   std::vector<double> values;
   std::string_view line;
@@ -226,7 +227,7 @@ void write_node_list(const fs::path& path, const Points& nodes, LengthUnit unit)
 }
 
 std::vector<int> read_node_numbers(const fs::path& path, int node_count) {
-  const std::string content = read_file(path);
+  const std::string content = mesh_bytes(path);
   TextScanner words(content, path.string());
   std::vector<int> numbers;
   for (std::string_view word = words.token(); !word.empty(); word = words.token()) {

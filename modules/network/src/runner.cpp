@@ -31,7 +31,7 @@ std::string content_of(const fs::path& path) {
   const auto bytes = fs::file_size(path, failure);
   if (!failure && bytes > kMostBytes)
     throw InputError(path.string(), "size", "is more than 1 GB", "Use a smaller network");
-  return read_file(path);
+  return read_file(path, kMostBytes);
 }
 
 /// Letters of the process, as far as they can be shown.

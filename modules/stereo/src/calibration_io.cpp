@@ -97,7 +97,8 @@ class Reader {
 }  // namespace
 
 StereoRig read_calibration(const std::filesystem::path& path) {
-  const Reader reader(path.string(), read_file(path));
+  constexpr std::size_t kMostBytes = 2U << 20U;  // twice what OpenCvText takes
+  const Reader reader(path.string(), read_file(path, kMostBytes));
   const double metres = reader.metres_per_unit();
   const int width = reader.pixels("image_width"), height = reader.pixels("image_height");
   StereoRig rig;

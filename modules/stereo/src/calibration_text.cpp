@@ -24,8 +24,8 @@ constexpr const char* kShape =
 bool has(const std::string& name, const char* word) { return name.find(word) != std::string::npos; }
 
 std::vector<double> numbers(const fs::path& path) {
-  const std::string content = read_file(path);
-  if (content.size() > (1U << 16)) throw InputError(path.string(), "", "is too large for a matrix", kShape);
+  constexpr std::size_t kMostBytes = 1U << 16;
+  const std::string content = read_file(path, kMostBytes);
   std::istringstream text(content);
   std::vector<double> values;
   for (std::string word; text >> word;) {

@@ -70,7 +70,6 @@ const std::vector<const char*>& view_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a number of pixels from 16 to 16384"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is \"%1\", which is no unit of length here"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "uses more than the five terms k1 k2 p1 p2 k3"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "is too large for a matrix"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "has no calibration in it that is whole (of cameras, distortions and the transform "
                         "between them, one file is missing)"),

@@ -16,6 +16,7 @@ const std::vector<const char*>& work_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is locked"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 100 MB, more than any list needs"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than 4 GB"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is larger than such a file can be"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "names a source outside this computer (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "names pictures that nobody here has chosen (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "nests lists deeper than any that is read here"),

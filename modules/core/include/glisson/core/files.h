@@ -15,8 +15,12 @@ std::string lower_case(std::string text);
 std::string lower_name(const std::filesystem::path& path);
 std::string lower_extension(const std::filesystem::path& path);
 
-/// Reads a whole file. @throws FileError naming the path when it is missing or unreadable.
-std::string read_file(const std::filesystem::path& path);
+/// More than any file that is read whole.
+constexpr std::size_t kMostFileBytes = 4'000'000'000;
+
+/// Reads a whole file. @throws FileError naming the path when it is missing, unreadable, or has more bytes
+/// than such a file can have: nothing beyond them is read.
+std::string read_file(const std::filesystem::path& path, std::size_t most_bytes = kMostFileBytes);
 
 /// Writes a file so that, whatever happens (kill, full disk), the path holds the old content or all of the
 /// new: writes beside it (see OutputFile), flushes to disk, reads back and compares, then renames. Links are

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -8,6 +9,9 @@
 #include <string>
 
 namespace glisson {
+
+/// Many times what any list needs. What is made of a file takes up to twenty times its size.
+constexpr std::size_t kMostJsonBytes = 100'000'000;
 
 /// Reads a JSON file. @throws FileError when missing, InputError with line and column when malformed.
 nlohmann::json read_json(const std::filesystem::path& path);
