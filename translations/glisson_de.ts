@@ -3772,6 +3772,14 @@
         <translation>ist eine Datei, hier ist ein Ordner nötig</translation>
     </message>
     <message>
+        <source>leads to another disk</source>
+        <translation>führt auf einen anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>Remove the link, or name a folder on that disk</source>
+        <translation>Entfernen Sie die Verknüpfung oder nennen Sie einen Ordner auf jenem Datenträger</translation>
+    </message>
+    <message>
         <source>could not be completed (%1)</source>
         <translation>konnte nicht fertiggestellt werden (%1)</translation>
     </message>

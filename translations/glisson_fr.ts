@@ -3772,6 +3772,14 @@
         <translation>est un fichier, il faut ici un dossier</translation>
     </message>
     <message>
+        <source>leads to another disk</source>
+        <translation>mène à un autre disque</translation>
+    </message>
+    <message>
+        <source>Remove the link, or name a folder on that disk</source>
+        <translation>Supprimez le lien, ou indiquez un dossier sur cet autre disque</translation>
+    </message>
+    <message>
         <source>could not be completed (%1)</source>
         <translation>n’a pas pu être achevé (%1)</translation>
     </message>

@@ -19,7 +19,6 @@
 #include "glisson/core/log_file.h"
 #include "glisson/core/output_file.h"
 #include "glisson/core/stopwatch.h"
-#include "glisson/engine/case_io.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/outcome_log.h"
 #include "glisson/ui/common/error_texts.h"
@@ -69,42 +68,6 @@ void require_place_for(const fs::path& file) {
   if (::access(folder.c_str(), W_OK) != 0)
     throw FileError(file.string() + ": its folder cannot be written to. Choose another folder.");
   sweep_leftovers(folder);
-}
-
-/// Where an entry of an own folder goes: through links of this user, never in the place of a device.
-fs::path place_in(const fs::path& folder, const fs::directory_entry& entry) {
-  const fs::path target = folder / entry.path().filename();
-  if (!entry.is_directory()) return place_for_file(target);
-  const fs::path place = end_of_links(target);
-  if (fs::exists(place) && !fs::is_directory(place))
-    throw FileError(target.string() + ": is a file, a folder is needed here. Choose another name.");
-  return place;
-}
-
-/// Finds out before anything is moved.
-void check_places(const fs::path& from, const fs::path& to) {
-  for (const auto& entry : fs::directory_iterator(from)) {
-    if (engine::holds_case(entry.path())) continue;  // put_case looks for itself
-    const fs::path place = place_in(to, entry);
-    if (entry.is_directory() && fs::is_directory(place)) check_places(entry.path(), place);
-  }
-}
-
-/// Moves what a folder holds to another one, folder by folder: what is there besides stays. A case is
-/// replaced whole.
-void merge(const fs::path& from, const fs::path& to) {
-  for (const auto& entry : fs::directory_iterator(from)) {
-    const fs::path target = to / entry.path().filename();
-    if (engine::holds_case(entry.path()) && engine::holds_case(target)) {
-      engine::put_case(entry.path(), target);
-      continue;
-    }
-    const fs::path place = place_in(to, entry);
-    if (entry.is_directory() && fs::is_directory(place))
-      merge(entry.path(), place);
-    else
-      fs::rename(entry.path(), place);
-  }
 }
 
 }  // namespace
@@ -420,42 +383,6 @@ void Session::finish() {
     say(QString("%1 %2").arg(QString::fromStdString(key), -36).arg(QString::fromStdString(value)));
   if (arguments_.has("json")) write_figures(arguments_.path("json"), figures, texts);
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-}
-
-OutputFolder::OutputFolder(const fs::path& wanted)
-    : told_(wanted), wanted_(end_of_links(fs::absolute(wanted).lexically_normal())) {
-  if (!wanted_.has_filename()) wanted_ = end_of_links(wanted_.parent_path());
-  std::error_code failure;
-  if (fs::exists(wanted_, failure) && !fs::is_directory(wanted_, failure))
-    throw FileError(told_.string() + ": is a file, a folder is needed here. Choose another name.");
-  if (!fs::is_directory(wanted_.parent_path(), failure))
-    throw FileError(told_.string() + ": its folder does not exist. Create it or choose another.");
-  sweep_leftovers(wanted_.parent_path());
-  working_ = std::make_unique<TemporaryFolder>(wanted_.parent_path());
-  fs::create_directory(path(), failure);
-  if (failure)
-    throw FileError(told_.string() + ": could not be written (" + failure.message() +
-                    "). Check permissions and free space.");
-}
-
-fs::path OutputFolder::path() const { return working_->path() / wanted_.filename(); }
-
-void OutputFolder::commit(bool whole) {
-  constexpr const char* kIncomplete = "INCOMPLETE";
-  if (!whole)
-    write_file_atomically(path() / kIncomplete,
-                          Cli::tr("This was cut short: what is here is not all.").toStdString() + "\n");
-  try {
-    if (fs::exists(wanted_)) check_places(path(), wanted_);
-    if (whole) fs::remove(wanted_ / kIncomplete);
-    if (!fs::exists(wanted_))
-      fs::rename(path(), wanted_);
-    else
-      merge(path(), wanted_);
-  } catch (const fs::filesystem_error& failure) {
-    throw FileError(told_.string() + ": could not be completed (" + failure.code().message() +
-                    "). Check permissions and free space.");
-  }
 }
 
 }  // namespace glisson::app

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/core/log.h"
 #include "glisson/core/units.h"
@@ -169,20 +168,5 @@ void say(const QString& line);
 /// What drawing without a display, and the window, need of the environment: Qt keeps its sockets in
 /// XDG_RUNTIME_DIR and complains on the terminal where a login (a container, a cron job) did not set it.
 void provide_runtime_folder();
-
-/// A folder that a command fills: made beside the wanted one and moved there by commit(). Without it nothing
-/// remains.
-class OutputFolder {
- public:
-  explicit OutputFolder(const std::filesystem::path& wanted);
-  std::filesystem::path path() const;
-  /// Replaces files of the same name in the wanted folder, leaves others alone. Links are written through.
-  /// @param whole false: the work was cut short, which a file INCOMPLETE says until a whole result comes.
-  void commit(bool whole = true);
-
- private:
-  std::filesystem::path told_, wanted_;
-  std::unique_ptr<TemporaryFolder> working_;
-};
 
 }  // namespace glisson::app

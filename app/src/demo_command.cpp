@@ -13,6 +13,7 @@
 #include "glisson/ui/scene/patient_scene.h"
 #include "glisson/ui/scene/slice_picture.h"
 #include "live_overlay.h"
+#include "output_folder.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;

@@ -12,6 +12,7 @@
 #include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/plot.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "output_folder.h"
 
 namespace glisson::app {
 namespace {

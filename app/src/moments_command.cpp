@@ -16,6 +16,7 @@
 #include "glisson/stereo/picture_reader.h"
 #include "glisson/ui/common/overlay_status.h"
 #include "glisson/ui/scene/overlay_painter.h"
+#include "output_folder.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;

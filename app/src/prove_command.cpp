@@ -5,6 +5,7 @@
 #include "exit_code.h"
 #include "glisson/experiments/proofs.h"
 #include "glisson/ui/common/built_in_atlas.h"
+#include "output_folder.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;

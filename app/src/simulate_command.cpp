@@ -4,6 +4,7 @@
 #include "model_argument.h"
 
 #include "glisson/engine/commands/simulate.h"
+#include "output_folder.h"
 
 namespace glisson::app {
 namespace {

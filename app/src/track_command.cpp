@@ -29,6 +29,7 @@
 #include "glisson/ui/scene/overlay_painter.h"
 #include "igtl_argument.h"
 #include "model_argument.h"
+#include "output_folder.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;

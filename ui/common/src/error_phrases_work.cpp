@@ -75,6 +75,7 @@ const std::vector<const char*>& work_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "its folder does not exist"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "its folder cannot be written to"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is a file, a folder is needed here"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "leads to another disk"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "could not be completed (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "could not be written (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
@@ -136,6 +137,7 @@ const std::vector<const char*>& work_problems() {
 
 const std::vector<const char*>& work_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Remove the link, or name a folder on that disk"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Enter that source yourself where pictures are opened, if you trust it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose the source again"),
