@@ -6083,6 +6083,10 @@
         <translation>%1: endete unerwartet (%2). Der Fall ist, wie er war.</translation>
     </message>
     <message>
+        <source>%1: memory ran out. Close other programs, or take a smaller volume or a coarser mesh.</source>
+        <translation>%1: Der Speicher reichte nicht. Schließen Sie andere Programme, oder nehmen Sie ein kleineres Volumen oder ein gröberes Netz.</translation>
+    </message>
+    <message>
         <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
         <translation>Fall: Pfad: Der Fall wurde nie gespeichert. Wählen Sie einen Ordner NAME.glisson, in den er gespeichert wird.</translation>
     </message>

@@ -6083,6 +6083,10 @@
         <translation>%1 : s’est arrêté de façon inattendue (%2). Le cas est comme il était.</translation>
     </message>
     <message>
+        <source>%1: memory ran out. Close other programs, or take a smaller volume or a coarser mesh.</source>
+        <translation>%1 : la mémoire n’a pas suffi. Fermez d’autres programmes, ou prenez un volume plus petit ou un maillage plus grossier.</translation>
+    </message>
+    <message>
         <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
         <translation>cas : chemin : le cas n’a jamais été enregistré. Choisissez un dossier NOM.glisson où l’enregistrer.</translation>
     </message>

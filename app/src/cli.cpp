@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "exit_code.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/core/log_file.h"
 #include "glisson/core/output_file.h"
 #include "glisson/core/stopwatch.h"
@@ -349,6 +350,10 @@ void Session::with_names(const std::function<void()>& work) const {
     for (const auto& [name, files] : files_of_)
       if (sentence.starts_with(name + ": ")) throw Error(files + sentence.substr(name.size()));
     throw;
+  } catch (const std::exception& failure) {
+    const std::string sentence = sentence_of(failure, command_);
+    log_.write(LogLevel::error, command_ + ' ' + ui::logged_error(sentence));
+    throw Error(sentence);
   }
 }
 

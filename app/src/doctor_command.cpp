@@ -133,7 +133,7 @@ int run_doctor(const QStringList& given) {
   Findings found(session);
   tell_versions(found);
   tell_machine(found);
-  tell_confinement(found);
+  found.try_out("readers", [&] { tell_confinement(found); });
   found.try_out("locks", try_locks);
   found.try_out("volumes", try_volumes);
   found.try_out("recording", [&] {

@@ -16,7 +16,7 @@
 #include "crash_report.h"
 #include "exit_code.h"
 #include "glisson/core/claim.h"
-#include "glisson/core/file_failure.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
 #include "glisson/core/printable.h"
@@ -48,17 +48,15 @@ int tell(const std::string& sentence, int code) {
 }
 
 /// Does something; what is said on an error is told in the person's language, while there is one.
-int run_told(const std::function<int()>& work) {
+int run_told(const char* name, const std::function<int()>& work) {
   try {
     return work();
   } catch (const UsageError& failure) {
     return tell(failure.what(), kUsage);
   } catch (const Interrupted&) {
     throw;
-  } catch (const Error& failure) {
-    return tell(failure.what(), kFailed);
-  } catch (const std::filesystem::filesystem_error& failure) {
-    return tell(sentence_of(failure), kFailed);
+  } catch (const std::exception& failure) {
+    return tell(sentence_of(failure, name), kFailed);
   }
 }
 
@@ -68,11 +66,11 @@ int open_window(int argc, char** argv) {
       throw UsageError(std::string(argv[1]) + ": unknown option. See 'glisson --help'.");
     report_crashes(crash_folder(), "");
     return run_window(argc, argv);
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     // Without a window there was no language as yet.
     QCoreApplication application(argc, argv);
     ui::set_up_language(application);
-    return run_told([]() -> int { throw; });
+    return run_told("window", []() -> int { throw; });
   }
 }
 
@@ -93,7 +91,7 @@ int run(int argc, char** argv) {
     sweep_leftovers(work_folder());
     QStringList arguments;
     for (int i = 2; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-    return run_told([&] { return command.run(arguments); });
+    return run_told(command.name, [&] { return command.run(arguments); });
   }
   if (std::strcmp(first, "--help") == 0 || std::strcmp(first, "-h") == 0 || std::strcmp(first, "help") == 0) {
     QCoreApplication application(argc, argv);
@@ -124,11 +122,8 @@ int main(int argc, char** argv) {
   } catch (const glisson::app::Interrupted& stopped) {
     std::fprintf(stderr, "\nglisson: %s\n", stopped.what());
     return glisson::app::kCancelled;
-  } catch (const std::filesystem::filesystem_error& failure) {
-    std::fprintf(stderr, "glisson: %s\n", glisson::sentence_of(failure).c_str());
-    return glisson::app::kFailed;
   } catch (const std::exception& failure) {
-    std::fprintf(stderr, "glisson: %s\n", failure.what());
+    std::fprintf(stderr, "glisson: %s\n", glisson::sentence_of(failure, "start").c_str());
     return glisson::app::kFailed;
   }
 }

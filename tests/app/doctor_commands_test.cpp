@@ -27,6 +27,7 @@ class DoctorCommandsTest : public QObject, private test::Program {
   void TheLogNamesNobody();
   void SoakLooksAtOpeningAndSaving();
   void AShortSoakIsNotCalledFlat();
+  void ABrokenInstallationIsToldWhole();
   void ErrorsAreToldInThePersonsLanguage();
   void WhatAKilledRunUnpackedGoesAtTheNextStart();
 
@@ -43,7 +44,8 @@ void DoctorCommandsTest::DoctorTriesOutWhatThereIs() {
   const Ran ran = run({"doctor", "--json", "d.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error + ran.out));
   const QJsonObject found = figures("d.json");
-  for (const char* key : {"works_locks", "works_volumes", "works_recording", "works_drawing"})
+  for (const char* key :
+       {"works_readers", "works_locks", "works_volumes", "works_recording", "works_drawing"})
     QVERIFY2(found[key].toInt() == 1, key);
   for (const char* key :
        {"version_glisson", "version_qt", "version_vtk", "built_with_itk", "built_with_opencv",
@@ -55,6 +57,21 @@ void DoctorCommandsTest::DoctorTriesOutWhatThereIs() {
   // Without a display the window cannot open: said, and no failure.
   QCOMPARE(found["display"].toInt(-1), 0);
   QVERIFY2(ran.out.contains("missing: There is no display"), qPrintable(ran.out));
+}
+
+/// Without the programs that read foreign files beside it.
+void DoctorCommandsTest::ABrokenInstallationIsToldWhole() {
+  const fs::path alone = at("glisson-alone");
+  fs::copy_file(GLISSON_EXECUTABLE, alone);
+  const auto process = prepared({"doctor", "--json", "d.json"}, QStringLiteral("C.UTF-8"));
+  process->setProgram(QString::fromStdString(alone.string()));
+  process->start();
+  const Ran ran = end_of(*process);
+  QVERIFY(ran.code != 0);
+  QVERIFY2(ran.out.contains("missing: ") && ran.out.contains("Install Glisson again"), qPrintable(ran.out));
+  const QJsonObject found = figures("d.json");
+  QCOMPARE(found["works_readers"].toInt(-1), 0);
+  QVERIFY(!found["version_qt"].toString().isEmpty() && found["works_locks"].toInt() == 1);
 }
 
 void DoctorCommandsTest::ACrashLeavesAReport() {

@@ -14,6 +14,7 @@
 #include "complaint.h"
 #include "glisson/core/codes.h"
 #include "glisson/core/error.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/core/log.h"
@@ -48,6 +49,8 @@ class CoreTest : public QObject {
   void CancelIsSeenFromAnotherThread();
   void LogKeepsItsThreshold();
   void FileIsReadWhole();
+  void NoFileIsReadBeyondItsBound();
+  void WhatStopsWorkIsASentence();
   void MissingFileAndFolderAreRefused();
   void WriteReplacesAndLeavesNothingBehind();
   void FailedVerificationLeavesTheOldFile();
@@ -182,6 +185,24 @@ void CoreTest::FileIsReadWhole() {
   const std::string bytes("a\0b\r\n\xFF", 6);
   put(folder.path() / "x", bytes);
   QVERIFY(read_file(folder.path() / "x") == bytes);
+}
+
+void CoreTest::NoFileIsReadBeyondItsBound() {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "a", std::string(2000, 'a'));
+  QCOMPARE(read_file(folder.path() / "a", 2000).size(), std::size_t{2000});
+  const std::string told = test::complaint([&] { (void)read_file(folder.path() / "a", 1999); });
+  QVERIFY2(told.find("larger than such a file can be") != std::string::npos, told.c_str());
+}
+
+void CoreTest::WhatStopsWorkIsASentence() {
+  QVERIFY(sentence_of(std::bad_alloc(), "segment").starts_with("segment: memory ran out. Close"));
+  QVERIFY(sentence_of(std::runtime_error("no reason"), "segment")
+              .starts_with("segment: stopped unexpectedly (no reason)."));
+  const InputError error("a.json", "field", "is wrong", "Mend it");
+  QCOMPARE(sentence_of(error, "segment"), std::string(error.what()));
+  const auto gone = std::make_error_code(std::errc::no_space_on_device);
+  QVERIFY(sentence_of(std::filesystem::filesystem_error("write", "/a", gone), "segment").starts_with("/a: "));
 }
 
 void CoreTest::MissingFileAndFolderAreRefused() {

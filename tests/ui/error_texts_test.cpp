@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "glisson/core/error.h"
-#include "glisson/core/file_failure.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/engine/case_io.h"

@@ -9,7 +9,7 @@
 
 #include "case_manifest.h"
 #include "glisson/core/error.h"
-#include "glisson/core/file_failure.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/engine/part.h"
 
 namespace glisson::engine {

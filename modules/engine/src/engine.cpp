@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/core/file_failure.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/core/stopwatch.h"
 #include "glisson/engine/parts/live.h"
 #include "job.h"
@@ -150,16 +150,9 @@ struct Engine::Impl final : LiveLanes {
     try {
       if (!job->cancel->requested()) applied = perform(base, *job, context);
       if (!applied) outcome.status = Status::cancelled;
-    } catch (const Error& failure) {
-      outcome.status = Status::failed;
-      outcome.error = failure.what();
-    } catch (const std::filesystem::filesystem_error& failure) {
-      outcome.status = Status::failed;
-      outcome.error = sentence_of(failure);
     } catch (const std::exception& failure) {
       outcome.status = Status::failed;
-      outcome.error =
-          outcome.command + ": stopped unexpectedly (" + failure.what() + "). The case is as it was.";
+      outcome.error = sentence_of(failure, outcome.command);
     }
     std::unique_lock lock(mutex);
     if (evolving_of == job->id) put_evolving(0, nullptr);

@@ -8,7 +8,7 @@
 
 #include "glisson/core/child_process.h"
 #include "glisson/core/error.h"
-#include "glisson/core/file_failure.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/volume/dicom_segmentation.h"

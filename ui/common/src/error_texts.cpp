@@ -61,6 +61,9 @@ class Errors {
                           "%1: cannot be used (%2). Check the permissions of the file and of its folders."),
         QT_TRANSLATE_NOOP("Errors", "%1: cannot be used (%2). Free some space on the disk."),
         QT_TRANSLATE_NOOP("Errors", "%1: stopped unexpectedly (%2). The case is as it was."),
+        QT_TRANSLATE_NOOP(
+            "Errors",
+            "%1: memory ran out. Close other programs, or take a smaller volume or a coarser mesh."),
         QT_TRANSLATE_NOOP("Errors",
                           "case: path: the case has never been saved. Choose a folder NAME.glisson to save "
                           "it to."),

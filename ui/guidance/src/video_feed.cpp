@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "glisson/core/error.h"
+#include "glisson/core/failure_sentence.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/error_texts.h"
@@ -110,11 +110,8 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
       due = std::max(due + period, Clock::now() - period);  // a slow disk does not cause a burst
     }
     if (!stop.stop_requested()) emit ended();
-  } catch (const Error& error) {
-    emit failed(error_text(error.what()));
-  } catch (const std::exception& error) {  // of a library: it would end the program
-    emit failed(error_text(std::string("video: stopped unexpectedly (") + error.what() +
-                           "). The case is as it was."));
+  } catch (const std::exception& error) {  // one of a library would end the program, too
+    emit failed(error_text(sentence_of(error, "video")));
   }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/core/file_failure.h"
+#include "glisson/core/failure_sentence.h"
 
+#include <new>
 #include <system_error>
+
+#include "glisson/core/error.h"
 
 namespace glisson {
 
@@ -18,6 +21,15 @@ std::string sentence_of(const std::filesystem::filesystem_error& failure) {
   };
   const std::string path = failure.path1().empty() ? std::string("file") : failure.path1().string();
   return path + ": cannot be used (" + failure.code().message() + "). " + remedy() + ".";
+}
+
+std::string sentence_of(const std::exception& failure, const std::string& work) {
+  if (dynamic_cast<const Error*>(&failure) != nullptr) return failure.what();
+  if (const auto* of_files = dynamic_cast<const std::filesystem::filesystem_error*>(&failure))
+    return sentence_of(*of_files);
+  if (dynamic_cast<const std::bad_alloc*>(&failure) != nullptr)
+    return work + ": memory ran out. Close other programs, or take a smaller volume or a coarser mesh.";
+  return work + ": stopped unexpectedly (" + failure.what() + "). The case is as it was.";
 }
 
 }  // namespace glisson
