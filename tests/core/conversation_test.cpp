@@ -106,6 +106,12 @@ class ConversationTest : public QObject {
     QVERIFY(::kill(child, 0) != 0 && errno == ESRCH);  // it has been ended, and nothing is left of it
   }
 
+  void AChildThatTalksForEverIsEnded() {
+    const auto end = run_child("/bin/sh", {"-c", "while echo; do sleep 0.01; done"}, RunContext(), {}, 0.3);
+    QVERIFY(end.has_value());
+    QCOMPARE(end->signal, SIGKILL);
+  }
+
   /// And a cancel ends it all the same.
   void ACancelEndsAChild() {
     const auto cancel = std::make_shared<CancelFlag>();

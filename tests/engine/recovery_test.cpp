@@ -39,6 +39,7 @@ class RecoveryTest : public QObject {
   void WhatARunningProgramHasIsNotOffered();
   void AGoodEndLeavesNothing();
   void ACopyThatWasCutShortIsNone();
+  void ACopyThatCannotBeReadNowStays();
   void KeepingACopyLeavesTheCaseAlone();
   void ACaseThatWasNeverSavedComesBackWithoutAPlace();
   void WhatOthersSavedMeanwhileStays();
@@ -125,6 +126,18 @@ void RecoveryTest::ACopyThatWasCutShortIsNone() {
   fs::remove(found.at(0).copy / "case.json");
   QVERIFY(find_recoverable(root()).empty());
   QVERIFY(fs::is_empty(root()));  // and is removed
+}
+
+/// It may be the only copy of somebody's work: a disk that fails for a moment is no reason to remove it.
+void RecoveryTest::ACopyThatCannotBeReadNowStays() {
+  killed_at_work(true);
+  const fs::path said = find_recoverable(root()).at(0).folder / "copy.json";
+  fs::rename(said, folder_->path() / "aside.json");
+  fs::create_directory(said);  // to open it fails, whoever asks
+  QVERIFY(find_recoverable(root()).empty());
+  fs::remove(said);
+  fs::rename(folder_->path() / "aside.json", said);
+  QCOMPARE(find_recoverable(root()).size(), std::size_t{1});
 }
 
 void RecoveryTest::KeepingACopyLeavesTheCaseAlone() {

@@ -110,7 +110,10 @@ void DicomSegmentationTest::LabelsComeBackToTheVoxel() {
   const VolumeGrid grid = oblique_grid(left_handed);
   const LabelVolume labels = phantom(grid);
   write_dicom_labels(at("a.dcm"), labels, {}, {});
-  const DicomLabels back = read_dicom_labels(at("a.dcm"));
+  const DicomLabels back = *read_dicom_labels(at("a.dcm"), RunContext());
+  const auto cancel = std::make_shared<CancelFlag>();
+  cancel->request();
+  QVERIFY(!read_dicom_labels(at("a.dcm"), RunContext({}, cancel, 1)));
   QVERIFY(back.own);
   QCOMPARE(back.file.voxels.grid().size.z(), grid.size.z() - 1);  // its first slice is empty
   const auto placed = placed_on(back.file.voxels, grid);

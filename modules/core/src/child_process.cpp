@@ -119,21 +119,26 @@ class Child {
 /// the child, which is no silence.
 class Patience {
  public:
-  explicit Patience(double seconds) : left_(seconds) {}
+  /// @param silence until something is heard. @param all whatever is heard.
+  Patience(double silence, double all) : silence_(silence), left_(silence), all_left_(all) {}
+  explicit Patience(double seconds) : Patience(seconds, seconds) {}
+  void heard() { left_ = silence_; }
   /// Waits until something can be done, for a part of what is left. @return as poll().
   int wait(pollfd& waiting) {
     const auto begin = Clock::now();
-    const double turn = std::clamp(left_, 0.0, kTurn);
+    const double turn = std::clamp(std::min(left_, all_left_), 0.0, kTurn);
     const int ready = ::poll(&waiting, 1, static_cast<int>(std::ceil(1e3 * turn)));
     const double passed = std::chrono::duration<double>(Clock::now() - begin).count();
-    left_ -= std::min(passed, 2.0 * kTurn);
+    const double counted = std::min(passed, 2.0 * kTurn);
+    left_ -= counted;
+    all_left_ -= counted;
     return ready;
   }
-  bool over() const { return left_ <= 0.0; }
+  bool over() const { return left_ <= 0.0 || all_left_ <= 0.0; }
 
  private:
   static constexpr double kTurn = 1e-3 * kPollMilliseconds;
-  double left_;
+  double silence_, left_, all_left_;
 };
 
 /// Hands out the whole lines in `pending` and keeps the rest.
@@ -164,19 +169,20 @@ fs::path helper_program(const std::string& name, const char* variable) {
 
 Cancellable<ChildExit> run_child(const std::string& program, const std::vector<std::string>& arguments,
                                  const RunContext& context,
-                                 const std::function<void(const std::string&)>& on_line) {
+                                 const std::function<void(const std::string&)>& on_line,
+                                 double most_seconds) {
   if (context.cancelled()) return std::nullopt;
   Pipe pipe;
   Child child(spawn(program, arguments, -1, pipe.write_end));
   pipe.close_write_end();
   std::string pending;
   std::array<char, 4096> buffer{};
-  Patience patience(kLongestSilence);
+  Patience patience(kLongestSilence, most_seconds);
   while (true) {
-    const bool silent = patience.over();
-    if (silent || context.cancelled()) {
+    const bool too_long = patience.over();
+    if (too_long || context.cancelled()) {
       const ChildExit end = child.killed();
-      if (silent) return end;
+      if (too_long) return end;
       return std::nullopt;
     }
     pollfd waiting{pipe.read_end, POLLIN, 0};
@@ -184,7 +190,7 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
     const ssize_t got = ::read(pipe.read_end, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;  // the child has closed its output: it is ending
-    patience = Patience(kLongestSilence);
+    patience.heard();
     pending.append(buffer.data(), static_cast<std::size_t>(got));
     give_lines(pending, on_line);
   }

@@ -21,17 +21,19 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 namespace {
 
-/// Empty: there is no whole copy.
+/// Empty: there is no whole copy. @throws FileError, filesystem_error: nobody can tell now.
 Recoverable copy_in(const fs::path& folder) {
   Recoverable found{folder, folder / kCopyName, {}, {}, {}};
+  if (!fs::exists(folder / kSaidName) || !fs::exists(found.copy) || !holds_case(found.copy)) return {};
   try {
-    if (!holds_case(found.copy)) return {};
     const json said = read_json(folder / kSaidName);
     found.of = said.at("of").get<std::string>();
     found.edition = said.at("edition");
     found.saved = said.at("saved");
     return found;
-  } catch (const std::exception&) {
+  } catch (const InputError&) {
+    return {};
+  } catch (const json::exception&) {
     return {};
   }
 }
@@ -82,11 +84,15 @@ std::vector<Recoverable> find_recoverable(const fs::path& root) {
   for (const fs::path& folder : folders) {
     const Claim claim = hold(folder);
     if (claim.descriptor() < 0) continue;
-    Recoverable found = copy_in(folder);
-    if (found.folder.empty())
-      fs::remove_all(folder, failure);
-    else
-      all.push_back(std::move(found));
+    try {
+      Recoverable found = copy_in(folder);
+      if (found.folder.empty())
+        fs::remove_all(folder, failure);
+      else
+        all.push_back(std::move(found));
+    } catch (const std::exception&) {
+      continue;  // it may be the only copy of somebody's work: another start may be able to read it
+    }
   }
   std::sort(all.begin(), all.end(),
             [](const Recoverable& a, const Recoverable& b) { return a.saved > b.saved; });

@@ -89,13 +89,14 @@ void note_left_out(const LabelFile& file, const LabelSummary& summary, const Lab
 
 /// A volume of labels. Numbers without names of somebody else's are Glisson's. @param codes and notes as
 /// below.
-LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std::vector<std::string>& notes) {
-  LabelFile file = read_labels(path);
-  if (!codes.empty()) return file;
-  if (std::ranges::any_of(file.infos, is_named_otherwise))
-    codes = meanings_of(path, "Segment names", file.infos, notes);
+Cancellable<LabelFile> read_volume(const std::filesystem::path& path, LabelCodes& codes,
+                                   std::vector<std::string>& notes, const RunContext& context) {
+  auto file = read_labels(path, context);
+  if (!file || !codes.empty()) return file;
+  if (std::ranges::any_of(file->infos, is_named_otherwise))
+    codes = meanings_of(path, "Segment names", file->infos, notes);
   else
-    note_numbers(file.infos, notes);
+    note_numbers(file->infos, notes);
   return file;
 }
 
@@ -103,31 +104,33 @@ LabelFile read_volume(const std::filesystem::path& path, LabelCodes& codes, std:
 /// @param[out] notes tell that the file is of another frame of reference: its voxels may be the CT's by
 /// chance, as another scan's of the same table and field of view are. Anonymisers, too, give new frames, so
 /// that the person decides.
-LabelFile read_dicom(const std::filesystem::path& path, const LabelPlace& place, LabelCodes& codes,
-                     std::vector<std::string>& notes) {
-  DicomLabels labels = read_dicom_labels(path);
-  const std::string &theirs = labels.frame_of_reference_uid, &ours = place.frame_of_reference_uid;
+Cancellable<LabelFile> read_dicom(const std::filesystem::path& path, const LabelPlace& place,
+                                  LabelCodes& codes, std::vector<std::string>& notes,
+                                  const RunContext& context) {
+  auto labels = read_dicom_labels(path, context);
+  if (!labels) return std::nullopt;
+  const std::string &theirs = labels->frame_of_reference_uid, &ours = place.frame_of_reference_uid;
   if (place.grid != nullptr && !theirs.empty() && !ours.empty() && theirs != ours)
     notes.emplace_back("labels.other_frame");
   if (place.grid != nullptr) {
-    auto placed = placed_on(labels.file.voxels, *place.grid);
+    auto placed = placed_on(labels->file.voxels, *place.grid);
     if (!placed)
       throw InputError(path.string(), "position",
                        "lies on other voxels than the CT (origin, spacing, direction or size)",
                        "Resample the segmentation to the CT's grid, or open the CT that it was drawn on");
-    labels.file.voxels = std::move(*placed);
+    labels->file.voxels = std::move(*placed);
   }
-  if (labels.own || !codes.empty()) return labels.file;
-  codes = meanings_of(path, "SegmentedPropertyTypeCodeSequence (0062|000f)", labels.file.infos, notes);
-  return labels.file;
+  if (!labels->own && codes.empty())
+    codes = meanings_of(path, "SegmentedPropertyTypeCodeSequence (0062|000f)", labels->file.infos, notes);
+  return std::move(labels->file);
 }
 
 /// @param[in,out] codes what is said of the numbers; then what they mean, empty: they are Glisson's.
-LabelFile read(const std::filesystem::path& path, const LabelPlace& place, LabelCodes& codes,
-               std::vector<std::string>& notes) {
-  LabelFile file =
-      has_dicom_mark(path) ? read_dicom(path, place, codes, notes) : read_volume(path, codes, notes);
-  if (place.grid != nullptr) require_same_grid(file.voxels.grid(), *place.grid, path.string());
+Cancellable<LabelFile> read(const std::filesystem::path& path, const LabelPlace& place, LabelCodes& codes,
+                            std::vector<std::string>& notes, const RunContext& context) {
+  auto file = has_dicom_mark(path) ? read_dicom(path, place, codes, notes, context)
+                                   : read_volume(path, codes, notes, context);
+  if (file && place.grid != nullptr) require_same_grid(file->voxels.grid(), *place.grid, path.string());
   return file;
 }
 
@@ -178,8 +181,9 @@ Cancellable<ImportedLabels> import_labels(const std::filesystem::path& path, con
   context.progress(0.0, "labels.read");
   ImportedLabels imported;
   LabelCodes meanings = codes;
-  const LabelFile file = read(path, place, meanings, imported.notes);
-  if (context.cancelled()) return {};
+  const auto read_file = read(path, place, meanings, imported.notes, context);
+  if (!read_file || context.cancelled()) return {};
+  const LabelFile& file = *read_file;
   const LabelSummary summary(file.voxels);
   if (!codes.empty()) note_left_out(file, summary, codes, imported.notes);
   put_labels(file, summary, meanings, path.string(), imported);

@@ -291,13 +291,14 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
   return infos;
 }
 
-DicomLabels read_labels_of(const fs::path& path) {
+Cancellable<DicomLabels> read_labels_of(const fs::path& path, const RunContext& context) {
   require_exists(path);
   if (is_archive(path))
     throw InputError(path.string(), "", "is an archive, not a file of labels",
                      "Unpack it yourself and name the file of labels in it");
   const TemporaryFolder work;
-  run_reader("labels", path, path.string(), work.path(), "", RunContext());
+  if (!run_reader("labels", path, path.string(), work.path(), "", context, "labels.read"))
+    return std::nullopt;
   const Delivered delivered = delivered_in(work.path());
   DicomLabels labels{{}, delivered.texts.contains("glisson_own"), delivered.source.frame_of_reference_uid};
   const auto values =
@@ -381,9 +382,17 @@ Cancellable<Scan> read_scan(const fs::path& path, const RunContext& context, con
   return Scan{std::move(image), delivered.source, std::move(missing)};
 }
 
-DicomLabels read_dicom_labels(const fs::path& path) { return read_labels_of(path); }
+Cancellable<DicomLabels> read_dicom_labels(const fs::path& path, const RunContext& context) {
+  return read_labels_of(path, context);
+}
 
-LabelFile read_labels(const fs::path& path) { return read_labels_of(path).file; }
+Cancellable<LabelFile> read_labels(const fs::path& path, const RunContext& context) {
+  auto labels = read_labels_of(path, context);
+  if (!labels) return std::nullopt;
+  return std::move(labels->file);
+}
+
+LabelFile read_labels(const fs::path& path) { return *read_labels(path, RunContext()); }
 
 void require_same_grid(const VolumeGrid& a, const VolumeGrid& b, const std::string& name) {
   if (a.same_as(b)) return;

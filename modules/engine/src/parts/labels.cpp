@@ -27,9 +27,10 @@ json save(const CaseState& state, const CaseFolder& folder) {
 }
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
-  LabelFile file = read_labels(folder.path / "labels.seg.nrrd");
+  auto file = read_labels(folder.path / "labels.seg.nrrd", folder.context);
+  if (!file) return;
   const auto labels =
-      std::make_shared<const LabelMap>(LabelMap{std::move(file.voxels), std::move(file.infos)});
+      std::make_shared<const LabelMap>(LabelMap{std::move(file->voxels), std::move(file->infos)});
   state[part::labels] = labels;
   if (fs::exists(folder.path / "history/steps.json"))
     state[part::history] = std::make_shared<const editing::History>(

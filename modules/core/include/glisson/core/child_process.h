@@ -28,12 +28,14 @@ struct ChildExit {
 
 /// Runs a program with its arguments and waits. Nothing is read from standard input, standard error is
 /// dropped, each line of standard output goes to `on_line`. Safe with threads around (posix_spawn).
-/// A child that says nothing for ten minutes is killed.
+/// A child that says nothing for ten minutes is killed, and one that has run for `most_seconds`, whatever it
+/// says.
 /// @return empty when the context was cancelled: the child is killed and reaped then.
 /// @throws FileError when the program cannot be started.
 Cancellable<ChildExit> run_child(const std::string& program, const std::vector<std::string>& arguments,
                                  const RunContext& context,
-                                 const std::function<void(const std::string&)>& on_line);
+                                 const std::function<void(const std::string&)>& on_line,
+                                 double most_seconds = 3600.0);
 
 /// A child that is asked and answers, through one socket that is its standard input and output. It is killed
 /// and reaped with this object; when this process dies, its input ends. Not for two threads at once.

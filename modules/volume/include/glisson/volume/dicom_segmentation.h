@@ -31,7 +31,7 @@ struct DicomLabels {
 };
 /// Reads one in the confined reading program. The grid reaches from the first slice with a frame to the last:
 /// see placed_on(). Where segments overlap the smaller wins. @throws as read_labels.
-DicomLabels read_dicom_labels(const std::filesystem::path& path);
+Cancellable<DicomLabels> read_dicom_labels(const std::filesystem::path& path, const RunContext& context);
 
 /// Whether the file bears DICOM's mark, whatever it is called.
 bool has_dicom_mark(const std::filesystem::path& path);

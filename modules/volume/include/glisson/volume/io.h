@@ -46,6 +46,8 @@ struct LabelFile {
 };
 /// Reads labels: .seg.nrrd (also with several layers), NRRD, NIfTI, MetaImage, VTI. @throws as read_image,
 /// and InputError an archive: which of its files are the labels is for a person to say.
+Cancellable<LabelFile> read_labels(const std::filesystem::path& path, const RunContext& context);
+/// The same, to its end.
 LabelFile read_labels(const std::filesystem::path& path);
 
 /// Writes Hounsfield units as int16, compressed; the format by extension (.nrrd, .nii.gz, .mha). Atomic, read
