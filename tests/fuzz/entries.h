@@ -30,6 +30,10 @@ void zip_archive(std::string_view bytes);
 
 void onnx_input(std::string_view bytes);   ///< what a network's file says of its input
 void label_sheet(std::string_view bytes);  ///< its MODEL.json
+void mask_sheet(std::string_view bytes);   ///< of a network for pictures
+
+void messages(std::string_view bytes);        ///< what comes by OpenIGTLink
+void picture_header(std::string_view bytes);  ///< what is read of a picture before it is decoded
 
 void cloud(std::string_view bytes);
 void label_codes(std::string_view bytes);

@@ -3,6 +3,7 @@
 
 #include "entries.h"
 #include "glisson/network/label_sheet.h"
+#include "glisson/network/mask_sheet.h"
 #include "onnx_input.h"
 #include "scratch.h"
 
@@ -29,6 +30,19 @@ void label_sheet(std::string_view bytes) {
          "an empty tile");
     must(sheet.overlap >= 0.0 && sheet.overlap < 1.0, "tiles that never go on");
     must(!sheet.channels.empty(), "no channel");
+  });
+}
+
+void mask_sheet(std::string_view bytes) {
+  read_file_of("net.json", bytes, [](const std::filesystem::path& path) {
+    const network::MaskSheet sheet = network::read_mask_sheet(path.parent_path() / "net.onnx");
+    must(!sheet.channels.empty() && sheet.is_liver.size() == sheet.channels.size(), "channels of nothing");
+    must(sheet.mean.size() == sheet.sd.size(), "means without deviations");
+    must(std::all_of(sheet.sd.begin(), sheet.sd.end(), [](double sd) { return sd > 0.0; }),
+         "a deviation that is none");
+    must(std::all_of(sheet.size.begin(), sheet.size.end(), [](int side) { return side > 0; }),
+         "an empty side");
+    must(sheet.oldest_seconds > 0.0, "a mask that is never used");
   });
 }
 

@@ -12,6 +12,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/volume/io.h"
+#include "message_bytes.h"
 #include "moment_files.h"
 #include "onnx_bytes.h"
 #include "phantom.h"
@@ -192,6 +193,19 @@ const std::map<std::string, std::function<Files()>>& makers() {
          return Files{R"({"window_hu": [-100, 300], "mean_hu": 80, "sd_hu": 40, "spacing_mm": [3, 1, 1], )"
                       R"("axes": "IPL", "tile": [32, 64, 64], "overlap": 0.25, )"
                       R"("channels": ["background", "parenchyma", "lesions"], "least_lesion_ml": 0.1})"};
+       }},
+      {"mask_sheet",
+       [] {
+         return Files{
+             R"({"colours": "rgb", "mean": [0.5, 0.4, 0.3], "sd": [0.2, 0.2, 0.2], "size": [64, 96], )"
+             R"("channels": ["background", "liver", "tool"], "liver": ["liver"], "threshold": 0.5, )"
+             R"("oldest_seconds": 0.4})"};
+       }},
+      {"messages", [] { return Files{test::image_bytes() + test::transform_bytes()}; }},
+      {"picture_header",
+       [] {
+         return Files{picture_file("a.png", 3), picture_file("a.jpg", 3), picture_file("a.bmp", 1),
+                      picture_file("a.tiff", 3)};
        }},
       {"cloud", [] { return Files{kCloud}; }},
       {"label_codes", [] { return Files{R"({"1": "parenchyma", "2": "portal_vein"})"}; }},

@@ -3,6 +3,8 @@
 // volumes, and prints a table: what was refused, in how many of these that program broke down, what was read
 // with the same voxels and place, and what was read as something else. Fails where the file could have told
 // that its voxels are others: they are still others when its own are put back.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,6 +18,7 @@
 #include "dicom_bytes.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/volume/dicom_segmentation.h"
 #include "glisson/volume/io.h"
 #include "phantom.h"
 
@@ -73,11 +76,40 @@ std::string with_good_voxels(const std::string& name, const std::string& good, s
   return is_within ? good : bad;
 }
 
-Outcome read(const fs::path& path, const Image& good) {
+/// What a volume holds: of an image Hounsfield units, else labels.
+struct Content {
+  VolumeGrid grid;
+  std::vector<int> voxels;
+};
+Content content_of(const fs::path& path) {
+  const auto of = [](const VolumeGrid& grid, const auto& voxels) {
+    return Content{grid, std::vector<int>(voxels.begin(), voxels.end())};
+  };
+  if (path.extension() == ".dcm") {
+    const LabelVolume labels = read_dicom_labels(path, RunContext()).value().file.voxels;
+    return of(labels.grid(), labels.dense());
+  }
+  if (path.string().ends_with(".seg.nrrd")) {
+    const LabelVolume labels = read_labels(path).voxels;
+    return of(labels.grid(), labels.dense());
+  }
+  const Image image = read_image(path, RunContext()).value();
+  return of(image.grid, *image.voxels);
+}
+
+LabelVolume some_labels() {
+  const Image image = test::stored_world(11);
+  std::vector<Label> dense(image.voxels->size());
+  for (std::size_t n = 0; n < dense.size(); ++n)
+    dense[n] = n % 7 == 0 ? Label{2} : n % 3 == 0 ? Label{1} : Label{0};
+  return {image.grid, dense};
+}
+
+Outcome read(const fs::path& path, const Content& good) {
   try {
-    const Image image = read_image(path, RunContext()).value();
-    if (!image.grid.same_as(good.grid)) return Outcome::other_place;
-    return *image.voxels == *good.voxels ? Outcome::same : Outcome::other_voxels;
+    const Content content = content_of(path);
+    if (!content.grid.same_as(good.grid)) return Outcome::other_place;
+    return content.voxels == good.voxels ? Outcome::same : Outcome::other_voxels;
   } catch (const Error& error) {
     const bool ended = std::string(error.what()).find("broke down") != std::string::npos;
     return ended ? Outcome::reader_ended : Outcome::refused;
@@ -117,10 +149,14 @@ Tally run(const std::string& name, int count) {
     victim = path / "2";
   } else if (name == "a.vti") {
     write(path, vti());
+  } else if (name == "a.seg.nrrd") {
+    write_labels(path, some_labels(), {});
+  } else if (name == "a.dcm") {
+    write_dicom_labels(path, some_labels(), {}, {});
   } else {
     write_image(path, test::stored_world(11));
   }
-  const Image good = read_image(path, RunContext()).value();
+  const Content good = content_of(path);
   const std::string bytes = read_file(victim);
   std::mt19937 random(41);
   Tally tally;
@@ -149,7 +185,8 @@ int main(int count, char** words) {
     return 2;
   }
   std::vector<std::string> formats(words + 2, words + count);
-  if (formats.empty()) formats = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vti", "dicom"};
+  if (formats.empty())
+    formats = {"a.nrrd", "a.nii", "a.nii.gz", "a.mha", "a.vti", "dicom", "a.seg.nrrd", "a.dcm"};
   std::printf(
       "| format | damaged | refused | of these, reader ended | same image | other voxels | of these, could "
       "be "
@@ -168,5 +205,9 @@ int main(int count, char** words) {
     std::fflush(stdout);
     untold += tally.untold;
   }
+  struct rusage readers = {};
+  ::getrusage(RUSAGE_CHILDREN, &readers);  // waited for, all of them
+  std::printf("\nMost memory that any reader took: %.0f MB\n",
+              static_cast<double>(readers.ru_maxrss) / 1024.0);
   return untold == 0 ? 0 : 1;
 }
