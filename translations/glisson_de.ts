@@ -12314,6 +12314,14 @@
 <context>
     <name>glisson::ui::SegmentationPanel</name>
     <message>
+        <source>Shows what is told of this segmentation</source>
+        <translation>Zeigt, was zu dieser Segmentierung zu sagen ist</translation>
+    </message>
+    <message>
+        <source>Notes to read: %1</source>
+        <translation>Hinweise zu lesen: %1</translation>
+    </message>
+    <message>
         <source>Segmentation</source>
         <translation>Segmentierung</translation>
     </message>

@@ -12314,6 +12314,14 @@
 <context>
     <name>glisson::ui::SegmentationPanel</name>
     <message>
+        <source>Shows what is told of this segmentation</source>
+        <translation>Montre ce qui est dit de cette segmentation</translation>
+    </message>
+    <message>
+        <source>Notes to read: %1</source>
+        <translation>Remarques à lire : %1</translation>
+    </message>
+    <message>
         <source>Segmentation</source>
         <translation>Segmentation</translation>
     </message>

@@ -477,6 +477,14 @@ void SegmentationSeedsTest::NotesThatThePanelMayHideAreToldBelow() {
   window_->engine().post(engine::OpenCase{path});
   QVERIFY(settle());
   QVERIFY2(line().contains(QLatin1String("notes to read, under Segmentation: ")), qPrintable(line()));
+  const auto* notes = find<QLabel>("label_notes");
+  auto* attention = find<QPushButton>("attention");
+  QVERIFY(notes->visibleRegion().isEmpty() && !attention->visibleRegion().isEmpty());
+  QVERIFY2(attention->text().contains(QLatin1String("Notes to read: ")), qPrintable(attention->text()));
+  press("mode_edit");
+  QVERIFY(!attention->visibleRegion().isEmpty());
+  QTest::mouseClick(attention, Qt::LeftButton);
+  QTRY_VERIFY(!notes->visibleRegion().isEmpty());
 }
 
 }  // namespace glisson

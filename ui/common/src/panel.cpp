@@ -5,6 +5,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
+#include <QStackedLayout>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -76,13 +78,25 @@ Panel::Panel(EngineBridge& engine, const QString& title, const QString& purpose,
   head->addWidget(name, 1);
   head->addWidget(chip_, 0, Qt::AlignRight | Qt::AlignVCenter);
   layout->addLayout(head);
-  layout->addWidget(make_explanation(purpose, this));
+  purpose_ = new QStackedLayout;
+  purpose_->addWidget(make_explanation(purpose, this));
+  attention_ = new QPushButton(this);
+  attention_->setProperty("role", "attention");
+  attention_->setObjectName(QStringLiteral("attention"));
+  purpose_->addWidget(attention_);
+  layout->addLayout(purpose_);
   content_ = new QVBoxLayout;
   content_->setSpacing(8);
   layout->addLayout(content_);
   layout->addStretch(1);
   connect(&engine_, &EngineBridge::case_changed, this, &Panel::update_step_state);
   connect(&engine_, &EngineBridge::tasks_changed, this, &Panel::update_step_state);
+}
+
+void Panel::call_attention(const QString& text, const QString& tip) {
+  attention_->setText(text);
+  attention_->setToolTip(tip);
+  purpose_->setCurrentIndex(text.isEmpty() ? 0 : 1);
 }
 
 QVBoxLayout* Panel::add_section(const QString& heading, const QString& explanation) {

@@ -35,9 +35,11 @@ void NotesBox::show_case() {
   if (image != image_ || labels != labels_) proposal_.clear();
   image_ = image;
   labels_ = labels;
-  const auto told = offer ? offer->notes : engine::told_of_labels(state);
-  show_warning(*words_, notes_text(proposal_.empty() ? told : proposal_));
+  const auto told = !proposal_.empty() ? proposal_ : offer ? offer->notes : engine::told_of_labels(state);
+  show_warning(*words_, notes_text(told));
   setVisible(!words_->isHidden());
+  count_ = told.size();
+  emit changed();
 }
 
 }  // namespace glisson::ui

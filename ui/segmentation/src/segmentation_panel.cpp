@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QSlider>
 #include <QTimer>
@@ -23,6 +24,7 @@
 #include "glisson/ui/segmentation/edit_box.h"
 #include "glisson/ui/segmentation/edit_texts.h"
 #include "glisson/ui/segmentation/label_import.h"
+#include "glisson/ui/segmentation/notes_box.h"
 #include "glisson/ui/segmentation/offer_box.h"
 #include "glisson/ui/segmentation/seed_box.h"
 
@@ -50,6 +52,9 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   content()->addWidget(edit_);
   show_offer();
   show_editing(false);
+  show_notes();
+  connect(&seeds_->notes(), &NotesBox::changed, this, &SegmentationPanel::show_notes);
+  connect(attention(), &QPushButton::clicked, this, &SegmentationPanel::go_to_notes);
   connect(offer_, &OfferBox::changed, this, &SegmentationPanel::show_offer);
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] {
@@ -121,6 +126,21 @@ void SegmentationPanel::show_offer() {
   for (QPushButton* mode : {seeds_mode_, edit_mode_}) mode->setEnabled(!waits);
   show_import();
   show_editing(edit_mode_->isChecked());
+}
+
+void SegmentationPanel::show_notes() {
+  const std::size_t notes = seeds_->notes().count();
+  call_attention(notes > 0 ? tr("Notes to read: %1").arg(notes) : QString(),
+                 tr("Shows what is told of this segmentation"));
+}
+
+void SegmentationPanel::go_to_notes() {
+  show_editing(false);
+  QTimer::singleShot(0, this, [this] {  // laid out by then
+    for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget())
+      if (auto* scroll = qobject_cast<QScrollArea*>(above))
+        return scroll->ensureWidgetVisible(&seeds_->notes(), 0, 0);
+  });
 }
 
 void SegmentationPanel::build_labels() {

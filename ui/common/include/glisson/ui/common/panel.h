@@ -10,6 +10,8 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
+class QStackedLayout;
 class QVBoxLayout;
 
 namespace glisson::ui {
@@ -48,6 +50,10 @@ class Panel : public QWidget {
   /// the part waits or runs. @param is_open whether a person has yet to look at what is current.
   void watch(engine::Part part, std::function<bool(const engine::CaseState&)> is_open = {});
   EngineBridge& engine() const { return engine_; }
+  /// A button in place of the line on the panel's purpose while a person has something to read that may lie
+  /// below what is in sight; nothing moves by it. Empty text: the purpose again.
+  void call_attention(const QString& text, const QString& tip = {});
+  QPushButton* attention() const { return attention_; }
 
  private:
   void update_step_state();
@@ -56,6 +62,8 @@ class Panel : public QWidget {
   QString title_;
   QVBoxLayout* content_;
   QLabel* chip_;
+  QStackedLayout* purpose_;  ///< or what calls for attention
+  QPushButton* attention_;
   std::optional<engine::Part> part_;
   std::function<bool(const engine::CaseState&)> is_open_;
   StepState step_state_ = StepState::waiting;

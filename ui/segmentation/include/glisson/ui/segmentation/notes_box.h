@@ -23,6 +23,11 @@ class NotesBox : public QWidget {
   /// seed.
   void show_proposal(const std::vector<std::string>& notes);
   void forget_proposal() { show_proposal({}); }
+  /// How many are told.
+  std::size_t count() const { return count_; }
+
+ signals:
+  void changed();
 
  private:
   void show_case();
@@ -32,6 +37,7 @@ class NotesBox : public QWidget {
   std::shared_ptr<const LabelMap> labels_;
   std::vector<std::string> proposal_;
   QLabel* words_ = nullptr;
+  std::size_t count_ = 0;
 };
 
 }  // namespace glisson::ui

@@ -43,6 +43,8 @@ class SeedBox : public QWidget {
   void let_go();
   /// Drops what the mouse has begun, else what it means. @return whether there was any of it.
   bool escape();
+  /// What is told of the labels.
+  NotesBox& notes() const { return *notes_; }
 
  signals:
   /// From now on clicks and drags in the slices are meant for the seeds or their region.

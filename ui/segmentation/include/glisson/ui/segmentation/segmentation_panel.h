@@ -45,6 +45,9 @@ class SegmentationPanel : public Panel {
   void build_labels();
   void show_case();
   void show_offer();
+  /// They stand where the segmentation was asked for, which may be out of sight: the head counts them.
+  void show_notes();
+  void go_to_notes();
   void show_rows();
   void show_label();
   void toggle(std::set<Label>& labels, Label label);
