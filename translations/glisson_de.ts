@@ -9751,8 +9751,8 @@
         <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
     </message>
     <message>
-        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
-        <translation>--review %1: STRUKTUR=ZUSTAND schreiben, etwa portal_vein=approved; Zustände sind not_started, in_progress, to_review, approved.</translation>
+        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.</source>
+        <translation>--review %1: STRUKTUR=ZUSTAND schreiben, etwa portal_vein=approved; Zustände sind %2.</translation>
     </message>
     <message>
         <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>

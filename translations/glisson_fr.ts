@@ -9751,8 +9751,8 @@
         <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
     </message>
     <message>
-        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
-        <translation>--review %1 : écrivez STRUCTURE=ÉTAT, par exemple portal_vein=approved ; les états sont not_started, in_progress, to_review, approved.</translation>
+        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.</source>
+        <translation>--review %1 : écrivez STRUCTURE=ÉTAT, par exemple portal_vein=approved ; les états sont %2.</translation>
     </message>
     <message>
         <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>

@@ -17,17 +17,12 @@ namespace {
 engine::SetReview review_from(const QString& text) {
   const QStringList parts = text.split('=');
   const auto label = parts.size() == 2 ? structure_named(parts[0].toStdString()) : std::nullopt;
-  constexpr std::array<std::pair<const char*, ReviewState>, 4> kStates = {
-      {{"not_started", ReviewState::not_started},
-       {"in_progress", ReviewState::in_progress},
-       {"to_review", ReviewState::to_review},
-       {"approved", ReviewState::approved}}};
-  if (label)
-    for (const auto& [name, state] : kStates)
-      if (parts[1] == QLatin1String(name)) return {*label, state};
-  throw UsageError(Cli::tr("--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are "
-                           "not_started, in_progress, to_review, approved.")
-                       .arg(text)
+  const auto state = label ? value_in(kReviewCodes, parts[1].toStdString()) : std::nullopt;
+  if (state) return {*label, *state};
+  QStringList states;
+  for (const auto& [code, known] : kReviewCodes) states << QLatin1String(code);
+  throw UsageError(Cli::tr("--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.")
+                       .arg(text, states.join(QStringLiteral(", ")))
                        .toStdString());
 }
 

@@ -51,9 +51,7 @@ std::map<ReviewState, std::vector<Label>> unapproved_labels(const CaseState& sta
 std::vector<std::string> unapproved_notes(const CaseState& state) {
   std::vector<std::string> notes;
   for (const auto& [review, labels] : unapproved_labels(state)) {
-    const std::string code = review == ReviewState::not_started   ? "label.not_started "
-                             : review == ReviewState::in_progress ? "label.in_progress "
-                                                                  : "label.to_review ";
+    const std::string code = "label." + std::string(code_in(kReviewCodes, review)) + " ";
     for (const Label label : labels) notes.push_back(code + structure_name(label));
   }
   return notes;

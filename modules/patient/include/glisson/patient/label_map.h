@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "glisson/core/codes.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/label_volume.h"
 
@@ -65,6 +66,11 @@ struct LabelMap {
 
 /// How far a person has come with a label.
 enum class ReviewState { not_started, in_progress, to_review, approved };
+/// For the command line, and in the codes of notes.
+inline constexpr Codes<ReviewState, 4> kReviewCodes = {{{"not_started", ReviewState::not_started},
+                                                        {"in_progress", ReviewState::in_progress},
+                                                        {"to_review", ReviewState::to_review},
+                                                        {"approved", ReviewState::approved}}};
 /// Labels that are not in it are not_started.
 using Review = std::map<Label, ReviewState>;
 /// As Slicer's tag Segmentation.Status: "notstarted", "inprogress", "flagged", "completed".
