@@ -131,6 +131,10 @@ void provide_runtime_folder() {
   if (!failure) qputenv("XDG_RUNTIME_DIR", folder.toUtf8());
 }
 
+bool has_display() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+}
+
 Arguments::Arguments(const QString& command, const QString& description) : command_(command) {
   parser_.setApplicationDescription(description);
   parser_.addOption({{"h", "help"}, Cli::tr("Show this help.")});

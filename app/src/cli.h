@@ -169,4 +169,7 @@ void say(const QString& line);
 /// XDG_RUNTIME_DIR and complains on the terminal where a login (a container, a cron job) did not set it.
 void provide_runtime_folder();
 
+/// Whether the environment names a display that a window can be shown on.
+bool has_display();
+
 }  // namespace glisson::app

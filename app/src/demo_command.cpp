@@ -64,10 +64,6 @@ std::function<Picture(const engine::CaseState&, const OverlayFrame&)> outline_ho
   };
 }
 
-bool has_display() {
-  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
-}
-
 void declare_demo(Arguments& arguments) {
   const experiments::DemoOptions options;
   arguments.option("out", Cli::tr("The folder for the results."), "DIR", "glisson-demo");

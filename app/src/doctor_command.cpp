@@ -91,9 +91,8 @@ void tell_machine(Findings& found) {
   if (machine.space) found.say_number("free_space_gb", *machine.space / kGigabyte);
   for (const MachineLack lack : lacks_of(machine)) found.miss(lack_text(lack, machine));
   found.say_text("folder_of_logs", (state_folder() / "log").string());
-  const bool display = qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
-  found.say_number("display", display ? 1.0 : 0.0);
-  if (!display) found.miss(Cli::tr("There is no display: the window cannot open, all else works."));
+  found.say_number("display", has_display() ? 1.0 : 0.0);
+  if (!has_display()) found.miss(Cli::tr("There is no display: the window cannot open, all else works."));
 }
 
 /// Of the machine, not of a patient's files: told here, not with each file.

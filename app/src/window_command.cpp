@@ -10,8 +10,7 @@ int run_window(int argc, char** argv) {
   const std::filesystem::path path = argc > 1 ? argv[1] : "";
   if (!path.empty() && !std::filesystem::exists(path))
     throw FileError(path.string() + ": does not exist, and is no command. See 'glisson --help'.");
-  if (!qEnvironmentVariableIsSet("DISPLAY") && !qEnvironmentVariableIsSet("WAYLAND_DISPLAY") &&
-      !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+  if (!has_display() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
     throw UsageError(
         "there is no display for the window, but commands work without one. See 'glisson --help'.");
   return ui::run_window(argc, argv, path);

@@ -62,7 +62,6 @@ class StereoPanel : public Panel {
   void show_case();
   /// The case's regions, and what is left of those of another frame.
   void take_regions(bool is_other_frame);
-  void show_cloud();
   void show_drawing();
   void show_region_list();
   void show_figures();
