@@ -8647,8 +8647,8 @@
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>Leave out what is measured in silico.</source>
-        <translation>Was in silico gemessen wird, auslassen.</translation>
+        <source>%1: leave out what is measured in silico.</source>
+        <translation>%1: Was in silico gemessen wird, auslassen.</translation>
     </message>
     <message>
         <source>Folder for the page with the figures. In a checkout they go to packaging/figures, unless some could not be measured.</source>
@@ -9311,16 +9311,40 @@
         <translation>%1: ist keine Aktion. Siehe „glisson atlas --help“.</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show), pulled (bare organs that are held somewhere and pulled at a few places).</source>
-        <translation>Misst die Zahlen der Nachweise neu, gegen die Labels von Fachleuten und bekannte Wahrheiten: patient (von der CT zum Modell), stereo (von Bildern zu Punktwolken), registration (wie weit sie abweicht, und ob sie es sagt), live (was das Overlay von sich sagt, wenn etwas nicht stimmt), atlas (Landmarken, die die CT nicht zeigt), pulled (Organe ohne Anatomie, die irgendwo gehalten und an wenigen Stellen gezogen werden).</translation>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths. %1.</source>
+        <translation>Misst die Zahlen der Nachweise neu, gegen die Labels von Fachleuten und bekannte Wahrheiten. %1.</translation>
     </message>
     <message>
-        <source>Which: patient, stereo, registration, live, atlas or pulled.</source>
-        <translation>Welcher: patient, stereo, registration, live, atlas oder pulled.</translation>
+        <source>Which: %1.</source>
+        <translation>Welcher: %1.</translation>
     </message>
     <message>
-        <source>registration, atlas: leave the validation patients alone, as when limits are set.</source>
-        <translation>registration, atlas: die Validierungspatienten nicht anrühren, wie beim Festlegen von Grenzen.</translation>
+        <source>From the CT to the model</source>
+        <translation>Von der CT zum Modell</translation>
+    </message>
+    <message>
+        <source>From the laparoscope&apos;s pictures to clouds</source>
+        <translation>Von den Bildern des Laparoskops zu Punktwolken</translation>
+    </message>
+    <message>
+        <source>How far off a registration is, and whether it says so</source>
+        <translation>Wie weit eine Registrierung abweicht, und ob sie es sagt</translation>
+    </message>
+    <message>
+        <source>What the live overlay says of itself when something is wrong</source>
+        <translation>Was das Live-Overlay von sich sagt, wenn etwas nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Bare organs that are pulled at a few places</source>
+        <translation>Organe ohne Anatomie, die an wenigen Stellen gezogen werden</translation>
+    </message>
+    <message>
+        <source>Landmarks that the CT does not show</source>
+        <translation>Landmarken, die die CT nicht zeigt</translation>
+    </message>
+    <message>
+        <source>%1: leave the validation patients alone, as when limits are set.</source>
+        <translation>%1: die Validierungspatienten nicht anrühren, wie beim Festlegen von Grenzen.</translation>
     </message>
     <message>
         <source>Landmarks that the CT does not show: build, show and transfer an atlas</source>
@@ -9411,8 +9435,8 @@
         <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil; pulled: zwei Organe jeder Art.</translation>
     </message>
     <message>
-        <source>registration: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
-        <translation>registration: behält, was DIR/registration_SEED.csv von einem abgebrochenen Lauf schon enthält.</translation>
+        <source>%1: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
+        <translation>%1: behält, was DIR/registration_SEED.csv von einem abgebrochenen Lauf schon enthält.</translation>
     </message>
     <message>
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
@@ -9595,8 +9619,8 @@
         <translation>ct oder mr: was das Volumen ist, wenn seine Datei es nicht sagt.</translation>
     </message>
     <message>
-        <source>registration: only whether one more look helps, where it is said to help most and joined from an unknown place.</source>
-        <translation>registration: nur, ob ein weiterer Blick hilft: dort, wo er am meisten helfen soll, und von unbekanntem Ort dazugenommen.</translation>
+        <source>%1: only whether one more look helps, where it is said to help most and joined from an unknown place.</source>
+        <translation>%1: nur, ob ein weiterer Blick hilft: dort, wo er am meisten helfen soll, und von unbekanntem Ort dazugenommen.</translation>
     </message>
     <message>
         <source>Earlier looks at the same organ, which has not moved since: clouds (PLY), commas between them, each in its own camera&apos;s frame. Where they were seen from is found; the result is in the frame of --cloud.</source>

@@ -8647,8 +8647,8 @@
         <translation>non mesuré</translation>
     </message>
     <message>
-        <source>Leave out what is measured in silico.</source>
-        <translation>Omettre ce qui est mesuré in silico.</translation>
+        <source>%1: leave out what is measured in silico.</source>
+        <translation>%1 : omettre ce qui est mesuré in silico.</translation>
     </message>
     <message>
         <source>Folder for the page with the figures. In a checkout they go to packaging/figures, unless some could not be measured.</source>
@@ -9311,16 +9311,40 @@
         <translation>%1 : n&apos;est pas une action. Voir « glisson atlas --help ».</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show), pulled (bare organs that are held somewhere and pulled at a few places).</source>
-        <translation>Mesure à nouveau les chiffres des preuves, par rapport aux étiquettes d&apos;experts et à des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), registration (son erreur, et si elle l&apos;annonce), live (ce que la superposition dit d&apos;elle-même quand quelque chose ne va pas), atlas (repères que le scanner ne montre pas), pulled (organes sans anatomie, tenus quelque part et tirés en quelques endroits).</translation>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths. %1.</source>
+        <translation>Mesure à nouveau les chiffres des preuves, par rapport aux étiquettes d&apos;experts et à des vérités connues. %1.</translation>
     </message>
     <message>
-        <source>Which: patient, stereo, registration, live, atlas or pulled.</source>
-        <translation>Laquelle&#xa0;: patient, stereo, registration, live, atlas ou pulled.</translation>
+        <source>Which: %1.</source>
+        <translation>Laquelle&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>registration, atlas: leave the validation patients alone, as when limits are set.</source>
-        <translation>registration, atlas : ne pas toucher aux patients de validation, comme lors du choix des limites.</translation>
+        <source>From the CT to the model</source>
+        <translation>Du scanner au modèle</translation>
+    </message>
+    <message>
+        <source>From the laparoscope&apos;s pictures to clouds</source>
+        <translation>Des images du laparoscope aux nuages</translation>
+    </message>
+    <message>
+        <source>How far off a registration is, and whether it says so</source>
+        <translation>L&apos;erreur d&apos;un recalage, et s&apos;il l&apos;annonce</translation>
+    </message>
+    <message>
+        <source>What the live overlay says of itself when something is wrong</source>
+        <translation>Ce que la superposition en direct dit d&apos;elle-même quand quelque chose ne va pas</translation>
+    </message>
+    <message>
+        <source>Bare organs that are pulled at a few places</source>
+        <translation>Organes sans anatomie, tirés en quelques endroits</translation>
+    </message>
+    <message>
+        <source>Landmarks that the CT does not show</source>
+        <translation>Repères que le scanner ne montre pas</translation>
+    </message>
+    <message>
+        <source>%1: leave the validation patients alone, as when limits are set.</source>
+        <translation>%1 : ne pas toucher aux patients de validation, comme lors du choix des limites.</translation>
     </message>
     <message>
         <source>Landmarks that the CT does not show: build, show and transfer an atlas</source>
@@ -9411,8 +9435,8 @@
         <translation>registration : deux patients de chaque ensemble et une seule part visible ; pulled : deux organes de chaque sorte.</translation>
     </message>
     <message>
-        <source>registration: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
-        <translation>registration : garde ce que DIR/registration_SEED.csv contient d’une exécution interrompue.</translation>
+        <source>%1: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
+        <translation>%1 : garde ce que DIR/registration_SEED.csv contient d’une exécution interrompue.</translation>
     </message>
     <message>
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
@@ -9595,8 +9619,8 @@
         <translation>ct ou mr : ce qu&apos;est le volume, si son fichier ne le dit pas.</translation>
     </message>
     <message>
-        <source>registration: only whether one more look helps, where it is said to help most and joined from an unknown place.</source>
-        <translation>registration : seulement si un regard de plus aide, là où il est censé aider le plus et joint depuis un endroit inconnu.</translation>
+        <source>%1: only whether one more look helps, where it is said to help most and joined from an unknown place.</source>
+        <translation>%1 : seulement si un regard de plus aide, là où il est censé aider le plus et joint depuis un endroit inconnu.</translation>
     </message>
     <message>
         <source>Earlier looks at the same organ, which has not moved since: clouds (PLY), commas between them, each in its own camera&apos;s frame. Where they were seen from is found; the result is in the frame of --cloud.</source>

@@ -35,12 +35,16 @@ void say_absent(const std::vector<std::string>& absent) {
     say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(name)));
 }
 
+bool takes(const experiments::Proof& proof, const char* option) {
+  return QString::fromUtf8(proof.takes.data(), static_cast<qsizetype>(proof.takes.size()))
+      .split(QLatin1Char(' '))
+      .contains(QLatin1String(option));
+}
+
 /// What would be left unread without a word, though the page would name it.
 void refuse_idle_options(const Arguments& arguments, const experiments::Proof& proof) {
-  const QStringList takes = QString::fromUtf8(proof.takes.data(), static_cast<qsizetype>(proof.takes.size()))
-                                .split(QLatin1Char(' '));
   for (const char* name : {"real-only", "development-only", "quick", "looks", "resume"})
-    if (!takes.contains(QLatin1String(name)))
+    if (!takes(proof, name))
       arguments.refuse_idle(QStringLiteral("glisson prove ") + QLatin1String(proof.name), {name});
 }
 
@@ -70,24 +74,42 @@ void write_page(const Arguments& arguments, const experiments::Proof& proof,
   say(Cli::tr("The figures were written to %1.").arg(QString::fromStdString(file.string())));
 }
 
+/// Of all, or of those that take an option.
+QString proof_names(const char* option = nullptr) {
+  QStringList names;
+  for (const experiments::Proof& proof : experiments::proofs())
+    if (option == nullptr || takes(proof, option)) names << QLatin1String(proof.name);
+  return names.join(QStringLiteral(", "));
+}
+
+/// "patient: From the CT to the model; stereo: ...".
+QString proof_titles() {
+  QStringList titles;
+  for (const experiments::Proof& proof : experiments::proofs())
+    titles << QLatin1String(proof.name) + QStringLiteral(": ") + Cli::tr(proof.title);
+  return titles.join(QStringLiteral("; "));
+}
+
 void declare_prove(Arguments& arguments) {
-  arguments.positional("PROOF", Cli::tr("Which: patient, stereo, registration, live, atlas or pulled."));
+  arguments.positional("PROOF", Cli::tr("Which: %1.").arg(proof_names()));
   arguments.option("data", Cli::tr("Folder of the real data; what is not there is left out."), "DIR",
                    "../shared/data");
   arguments.option("clicks", Cli::tr("Folder of the clicks on it."), "DIR", "tests/data");
-  arguments.flag("real-only", Cli::tr("Leave out what is measured in silico."));
-  arguments.flag(
-      "development-only",
-      Cli::tr("registration, atlas: leave the validation patients alone, as when limits are set."));
+  arguments.flag("real-only",
+                 Cli::tr("%1: leave out what is measured in silico.").arg(proof_names("real-only")));
+  arguments.flag("development-only",
+                 Cli::tr("%1: leave the validation patients alone, as when limits are set.")
+                     .arg(proof_names("development-only")));
   arguments.flag("quick",
                  Cli::tr("registration: two patients of either set and one share that is seen; pulled: two "
                          "organs of a kind."));
   arguments.flag("looks",
-                 Cli::tr("registration: only whether one more look helps, where it is said to help most and "
-                         "joined from an unknown place."));
+                 Cli::tr("%1: only whether one more look helps, where it is said to help most and joined "
+                         "from an unknown place.")
+                     .arg(proof_names("looks")));
   arguments.flag("resume",
-                 Cli::tr("registration: keep what DIR/registration_SEED.csv holds of a run that was cut "
-                         "short."));
+                 Cli::tr("%1: keep what DIR/registration_SEED.csv holds of a run that was cut short.")
+                     .arg(proof_names("resume")));
   arguments.option(
       "figures",
       Cli::tr("Folder for the page with the figures. In a checkout they go to packaging/figures, "
@@ -100,12 +122,8 @@ void declare_prove(Arguments& arguments) {
 
 int run_prove(const QStringList& given) {
   Arguments arguments(
-      "prove", Cli::tr("Measures the proofs' figures again, against experts' labels and "
-                       "known truths: patient (from the CT to the model), stereo (from pictures to "
-                       "clouds), registration (how far off it is, and whether it says so), live (what "
-                       "the overlay says of itself when something is wrong), atlas (landmarks that the CT "
-                       "does not show), pulled (bare organs that are held somewhere and pulled at a few "
-                       "places)."));
+      "prove", Cli::tr("Measures the proofs' figures again, against experts' labels and known truths. %1.")
+                   .arg(proof_titles()));
   declare_prove(arguments);
   if (!arguments.parse(given)) return 0;
   const QString name = arguments.positionals(1, 1).front();

@@ -96,6 +96,10 @@ void CommandsTest::HelpIsInThePersonsLanguage() {
   QVERIFY(run({"simulate", "--help"}, "de_DE.UTF-8").out.contains("Zeitschritt, s."));
   QVERIFY(run({"simulate", "--help"}, "fr_FR.UTF-8").out.contains("Pas de temps, s."));
   QVERIFY(run({"--help"}, "de_DE.UTF-8").out.contains("nicht für den klinischen Gebrauch"));
+  // The names and titles are those that the experiments give their proofs.
+  const QString proofs = run({"prove", "--help"}, "de_DE.UTF-8").out.simplified();
+  QVERIFY2(proofs.contains("pulled, atlas.") && proofs.contains("atlas: Landmarken, die die CT nicht zeigt."),
+           qPrintable(proofs));
 }
 
 void CommandsTest::WrongUsageIsToldInThePersonsLanguage() {

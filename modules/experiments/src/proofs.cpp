@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "atlas_proof.h"
+#include "glisson/core/marked_text.h"
 #include "live_proof.h"
 #include "patient_proof.h"
 #include "pulled_proof.h"
@@ -103,32 +104,32 @@ Cancellable<Proven> run_pulled(const ProofChoices& choices, const fs::path& fold
 }
 
 constexpr Proof kProofs[] = {
-    {"patient", "From the CT to the model",
+    {"patient", QT_TRANSLATE_NOOP("cli", "From the CT to the model"),
      "3D-IRCADb-01 patient 1 (real CT) against its expert's labels, and the synthetic patient (in silico) "
      "against its truth, both segmented by clicks; vessels edited by twenty simulated strokes. The trials: "
      "each liver from ten random clicks, five of them in it, then with a click on each lesion.",
      whom_patient, patient_aims, "real-only", run_patient},
-    {"stereo", "From the laparoscope's pictures to clouds",
+    {"stereo", QT_TRANSLATE_NOOP("cli", "From the laparoscope's pictures to clouds"),
      "A pair of real liver tissue against its CT surface, pairs of a chessboard and of a silicone heart "
      "(phantoms, real cameras), and pictures of the theatre (in silico), whose depth is known.",
      nullptr, stereo_aims, "real-only", run_stereo},
-    {"registration", "How far off a registration is, and whether it says so",
+    {"registration", QT_TRANSLATE_NOOP("cli", "How far off a registration is, and whether it says so"),
      "Livers (synthetic, real CTs' label maps, surfaces) handled in silico in ways that the registration's "
      "prior does not know, with noisy clouds of a part of the surface; and clouds that are not of the "
      "patient, or not as they should be. Limits were set on the development patients alone.",
      nullptr, registration_aims, "development-only quick looks resume", run_registration},
-    {"live", "What the live overlay says of itself when something is wrong",
+    {"live", QT_TRANSLATE_NOOP("cli", "What the live overlay says of itself when something is wrong"),
      "Wrong starts, and faults put into the frames of the theatre (in silico), and into real pairs of "
      "liver tissue (for development) and of a silicone heart (for validation) that are set in motion in a "
      "known way: real texture and lens, simulated motion.",
      whom_live, live_aims, "real-only", run_live},
-    {"pulled", "Bare organs that are pulled at a few places",
+    {"pulled", QT_TRANSLATE_NOOP("cli", "Bare organs that are pulled at a few places"),
      "Neo-Hookean organs (in silico) that are held somewhere and pulled or pressed at one to three places, "
      "with clouds of 500 points of a fifth of the surface: registered from rest and followed. Of loose ones "
      "nobody says what holds them nor where they are before the camera; 44 % of them is seen. And "
      "elastic_sequence (Mestdagh and Cotin 2022, linear, in silico, not ours).",
      nullptr, pulled_aims, "quick", run_pulled},
-    {"atlas", "Landmarks that the CT does not show",
+    {"atlas", QT_TRANSLATE_NOOP("cli", "Landmarks that the CT does not show"),
      "Ten livers of the synthetic population (in silico, landmarks by formula) and the real livers of the "
      "label maps (those of even numbers alone, with --development-only: they served development), each "
      "foretold by the others; the real ones by the built-in atlas, too. Truth of the real ones is what their "

@@ -47,8 +47,9 @@ struct Proven {
 
 /// One part of the way, measured against what its figures should be.
 struct Proof {
-  const char* name;                  ///< as in "glisson prove NAME"
-  const char *title, *introduction;  ///< of its page, English
+  const char* name;          ///< as in "glisson prove NAME"
+  const char* title;         ///< of its page and in the help, English; marked for translators
+  const char* introduction;  ///< of its page, English
   /// What the introduction ends with: whether limits were set on those who are measured. Null: nothing.
   std::string (*whom)(const ProofChoices& choices);
   const std::vector<Aim>& (*aims)();  ///< that it is measured against
