@@ -6387,6 +6387,30 @@
         <translation>Die Kalibrierung gehört zu einem anderen Laparoskop: die Punkte der Bilder liegen nicht auf ihren Epipolarlinien.</translation>
     </message>
     <message>
+        <source>The frame before comes once more.</source>
+        <translation>Das vorige Bild kommt noch einmal.</translation>
+    </message>
+    <message>
+        <source>The picture is frozen.</source>
+        <translation>Das Bild steht still.</translation>
+    </message>
+    <message>
+        <source>The left picture is frozen.</source>
+        <translation>Das linke Bild steht still.</translation>
+    </message>
+    <message>
+        <source>The right picture is frozen.</source>
+        <translation>Das rechte Bild steht still.</translation>
+    </message>
+    <message>
+        <source>Two frames have changed places.</source>
+        <translation>Zwei Bilder haben die Plätze getauscht.</translation>
+    </message>
+    <message>
+        <source>The film is interlaced: the even and the odd rows of a picture show two moments, so that points on what moves are off by its motion in half of a frame&apos;s time. Set the device to progressive, or give --video a description of the source (.json) with &quot;deinterlace&quot;: true.</source>
+        <translation>Der Film ist im Zeilensprung aufgenommen: Gerade und ungerade Zeilen eines Bildes zeigen zwei Augenblicke, so dass Punkte auf dem, was sich bewegt, um dessen Bewegung in der halben Zeit eines Bildes falsch liegen. Das Gerät auf Vollbilder (progressiv) stellen, oder --video eine Beschreibung der Quelle (.json) mit &quot;deinterlace&quot;: true geben.</translation>
+    </message>
+    <message>
         <source>The view %1 fits far worse than the others and was left out.</source>
         <translation>Die Ansicht %1 passt weit schlechter als die anderen und wurde ausgelassen.</translation>
     </message>
@@ -8859,54 +8883,6 @@
         <translation>Bild davon, wo genug Punkte sind und wo sie fehlen.</translation>
     </message>
     <message>
-        <source>both views are black</source>
-        <translation>beide Ansichten sind schwarz</translation>
-    </message>
-    <message>
-        <source>the left view shows nothing</source>
-        <translation>die linke Ansicht zeigt nichts</translation>
-    </message>
-    <message>
-        <source>the right view shows nothing</source>
-        <translation>die rechte Ansicht zeigt nichts</translation>
-    </message>
-    <message>
-        <source>both views are the same picture</source>
-        <translation>beide Ansichten sind dasselbe Bild</translation>
-    </message>
-    <message>
-        <source>left and right are swapped</source>
-        <translation>links und rechts sind vertauscht</translation>
-    </message>
-    <message>
-        <source>the views show nothing in common</source>
-        <translation>die Ansichten zeigen nichts Gemeinsames</translation>
-    </message>
-    <message>
-        <source>the calibration is not of this laparoscope</source>
-        <translation>die Kalibrierung gehört nicht zu diesem Laparoskop</translation>
-    </message>
-    <message>
-        <source>the frame before comes once more</source>
-        <translation>das vorige Bild kommt noch einmal</translation>
-    </message>
-    <message>
-        <source>the picture is frozen</source>
-        <translation>das Bild steht still</translation>
-    </message>
-    <message>
-        <source>the left view is frozen</source>
-        <translation>die linke Ansicht steht still</translation>
-    </message>
-    <message>
-        <source>the right view is frozen</source>
-        <translation>die rechte Ansicht steht still</translation>
-    </message>
-    <message>
-        <source>the film is interlaced: the even and the odd rows of a picture show two moments, so that points on what moves are off by its motion in half of a frame&apos;s time. Set the device to progressive, or give --video a description of the source (.json) with &quot;deinterlace&quot;: true</source>
-        <translation>der Film ist im Zeilensprung aufgenommen: Gerade und ungerade Zeilen eines Bildes zeigen zwei Augenblicke, so dass Punkte auf dem, was sich bewegt, um dessen Bewegung in der halben Zeit eines Bildes falsch liegen. Das Gerät auf Vollbilder (progressiv) stellen, oder --video eine Beschreibung der Quelle (.json) mit &quot;deinterlace&quot;: true geben</translation>
-    </message>
-    <message>
         <source>The case is there already, and this is another image of its patient: it takes the former one&apos;s place; all else stays, marked out of date.</source>
         <translation>Den Fall gibt es schon, und dies ist ein anderes Bild seines Patienten: Es tritt an die Stelle des bisherigen; alles andere bleibt, als veraltet markiert.</translation>
     </message>
@@ -8929,10 +8905,6 @@
     <message>
         <source>glisson %1: an argument is empty. See &apos;glisson %1 --help&apos;.</source>
         <translation>glisson %1: Ein Argument ist leer. Siehe &apos;glisson %1 --help&apos;.</translation>
-    </message>
-    <message>
-        <source>two frames have changed places</source>
-        <translation>zwei Bilder haben die Plätze getauscht</translation>
     </message>
     <message>
         <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, interlaced rows, a calibration of another scope.</source>

@@ -6387,6 +6387,30 @@
         <translation>L&apos;étalonnage est celui d&apos;un autre laparoscope : les points des images ne sont pas sur ses lignes épipolaires.</translation>
     </message>
     <message>
+        <source>The frame before comes once more.</source>
+        <translation>L&apos;image précédente revient.</translation>
+    </message>
+    <message>
+        <source>The picture is frozen.</source>
+        <translation>L&apos;image est figée.</translation>
+    </message>
+    <message>
+        <source>The left picture is frozen.</source>
+        <translation>L&apos;image gauche est figée.</translation>
+    </message>
+    <message>
+        <source>The right picture is frozen.</source>
+        <translation>L&apos;image droite est figée.</translation>
+    </message>
+    <message>
+        <source>Two frames have changed places.</source>
+        <translation>Deux images ont échangé leur place.</translation>
+    </message>
+    <message>
+        <source>The film is interlaced: the even and the odd rows of a picture show two moments, so that points on what moves are off by its motion in half of a frame&apos;s time. Set the device to progressive, or give --video a description of the source (.json) with &quot;deinterlace&quot;: true.</source>
+        <translation>Le film est entrelacé : les lignes paires et impaires d&apos;une image montrent deux instants, de sorte que les points sur ce qui bouge sont décalés de son mouvement pendant la moitié du temps d&apos;une image. Réglez l&apos;appareil sur progressif, ou donnez à --video une description de la source (.json) avec &quot;deinterlace&quot;: true.</translation>
+    </message>
+    <message>
         <source>The view %1 fits far worse than the others and was left out.</source>
         <translation>La vue %1 s&apos;ajuste bien moins que les autres et a été laissée de côté.</translation>
     </message>
@@ -8859,54 +8883,6 @@
         <translation>Image des endroits où il y a assez de points, et où il en manque.</translation>
     </message>
     <message>
-        <source>both views are black</source>
-        <translation>les deux vues sont noires</translation>
-    </message>
-    <message>
-        <source>the left view shows nothing</source>
-        <translation>la vue gauche ne montre rien</translation>
-    </message>
-    <message>
-        <source>the right view shows nothing</source>
-        <translation>la vue droite ne montre rien</translation>
-    </message>
-    <message>
-        <source>both views are the same picture</source>
-        <translation>les deux vues sont la même image</translation>
-    </message>
-    <message>
-        <source>left and right are swapped</source>
-        <translation>gauche et droite sont échangées</translation>
-    </message>
-    <message>
-        <source>the views show nothing in common</source>
-        <translation>les vues n&apos;ont rien en commun</translation>
-    </message>
-    <message>
-        <source>the calibration is not of this laparoscope</source>
-        <translation>l&apos;étalonnage n&apos;est pas celui de ce laparoscope</translation>
-    </message>
-    <message>
-        <source>the frame before comes once more</source>
-        <translation>l&apos;image précédente revient</translation>
-    </message>
-    <message>
-        <source>the picture is frozen</source>
-        <translation>l&apos;image est figée</translation>
-    </message>
-    <message>
-        <source>the left view is frozen</source>
-        <translation>la vue gauche est figée</translation>
-    </message>
-    <message>
-        <source>the right view is frozen</source>
-        <translation>la vue droite est figée</translation>
-    </message>
-    <message>
-        <source>the film is interlaced: the even and the odd rows of a picture show two moments, so that points on what moves are off by its motion in half of a frame&apos;s time. Set the device to progressive, or give --video a description of the source (.json) with &quot;deinterlace&quot;: true</source>
-        <translation>le film est entrelacé : les lignes paires et impaires d&apos;une image montrent deux instants, de sorte que les points sur ce qui bouge sont décalés de son mouvement pendant la moitié du temps d&apos;une image. Réglez l&apos;appareil sur progressif, ou donnez à --video une description de la source (.json) avec &quot;deinterlace&quot;: true</translation>
-    </message>
-    <message>
         <source>The case is there already, and this is another image of its patient: it takes the former one&apos;s place; all else stays, marked out of date.</source>
         <translation>Le cas existe déjà, et c&apos;est une autre image de son patient : elle prend la place de l&apos;ancienne ; tout le reste demeure, marqué comme périmé.</translation>
     </message>
@@ -8929,10 +8905,6 @@
     <message>
         <source>glisson %1: an argument is empty. See &apos;glisson %1 --help&apos;.</source>
         <translation>glisson %1 : un argument est vide. Voir &apos;glisson %1 --help&apos;.</translation>
-    </message>
-    <message>
-        <source>two frames have changed places</source>
-        <translation>deux images ont échangé leur place</translation>
     </message>
     <message>
         <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, interlaced rows, a calibration of another scope.</source>

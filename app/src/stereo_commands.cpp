@@ -20,6 +20,7 @@
 #include "glisson/stereo/density.h"
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/texts.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -324,46 +325,6 @@ int run_reconstruct(const QStringList& given) {
   return 0;
 }
 
-namespace {
-
-QString fault_text(stereo::Fault fault) {
-  using stereo::Fault;
-  switch (fault) {
-    case Fault::black:
-      return Cli::tr("both views are black");
-    case Fault::left_lost:
-      return Cli::tr("the left view shows nothing");
-    case Fault::right_lost:
-      return Cli::tr("the right view shows nothing");
-    case Fault::one_view:
-      return Cli::tr("both views are the same picture");
-    case Fault::swapped:
-      return Cli::tr("left and right are swapped");
-    case Fault::unrelated:
-      return Cli::tr("the views show nothing in common");
-    case Fault::other_scope:
-      return Cli::tr("the calibration is not of this laparoscope");
-    case Fault::duplicated:
-      return Cli::tr("the frame before comes once more");
-    case Fault::frozen:
-      return Cli::tr("the picture is frozen");
-    case Fault::left_frozen:
-      return Cli::tr("the left view is frozen");
-    case Fault::right_frozen:
-      return Cli::tr("the right view is frozen");
-    case Fault::out_of_order:
-      return Cli::tr("two frames have changed places");
-    case Fault::interlaced:
-      return Cli::tr(
-          "the film is interlaced: the even and the odd rows of a picture show two moments, so that points "
-          "on what moves are off by its motion in half of a frame's time. Set the device to progressive, or "
-          "give --video a description of the source (.json) with \"deinterlace\": true");
-  }
-  return QString();
-}
-
-}  // namespace
-
 int run_check(const QStringList& given) {
   Arguments arguments(
       "check",
@@ -384,7 +345,7 @@ int run_check(const QStringList& given) {
   stereo::VideoCheckOptions options;
   options.every = arguments.integer("every", 1, 100000);
   const auto tell = [](const stereo::FrameFault& fault) {
-    say(Cli::tr("frame %1: %2").arg(fault.frame).arg(fault_text(fault.fault)));
+    say(Cli::tr("frame %1: %2").arg(fault.frame).arg(ui::note_text(stereo::fault_note(fault.fault))));
   };
   const auto found = stereo::check_video(video, rig, options, session.context(), tell);
   if (!found) throw Interrupted();

@@ -281,8 +281,8 @@ void StereoCommandsTest::CheckNamesTheFramesWithFaults() {
   const Ran ran = run({"check", "--video", "frames", "--json", "f.json"});
   QVERIFY2(ran.code == 1, qPrintable(ran.error + ran.out));  // a fault was found
   QCOMPARE(ran.error, QString());                            // and that is no error
-  QVERIFY2(ran.out.contains("frame 4: both views are black"), qPrintable(ran.out));
-  QVERIFY2(ran.out.contains("frame 9: the frame before comes once more"), qPrintable(ran.out));
+  QVERIFY2(ran.out.contains("frame 4: Both pictures are dark."), qPrintable(ran.out));
+  QVERIFY2(ran.out.contains("frame 9: The frame before comes once more."), qPrintable(ran.out));
   const QJsonObject json = figures("f.json");
   QCOMPARE(json["faults"].toInt(), 2);
   QCOMPARE(json["fault_black"].toInt(), 1);
@@ -301,7 +301,7 @@ void StereoCommandsTest::CheckHoldsPairsAgainstTheCalibration() {
   fs::rename(at("kept.png"), at("frames/right-0.png"));
   ran = run({"check", "--video", "frames", "--calibration", "c.yaml"});
   QCOMPARE(ran.code, 1);
-  QVERIFY2(ran.out.contains("frame 0: left and right are swapped"), qPrintable(ran.out + ran.error));
+  QVERIFY2(ran.out.contains("frame 0: Left and right are swapped."), qPrintable(ran.out + ran.error));
 }
 
 /// As every other command does.

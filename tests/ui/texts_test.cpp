@@ -3,6 +3,7 @@
 #include "glisson/core/note_value.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/registration/next_look.h"
+#include "glisson/stereo/faults.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -20,6 +21,7 @@ class TextsTest : public QObject {
   void NumbersAreWrittenForPeople();
   void StructuresInNotesHaveTheirNames();
   void UnknownNotesStayReadable();
+  void EveryFaultOfPicturesIsASentence();
   void EveryStageOfTheModulesHasAWord();
   void EveryCommandHasItsWords();
   void EveryPartHasItsWords();
@@ -96,6 +98,15 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
 void TextsTest::UnknownNotesStayReadable() {
   QCOMPARE(ui::note_text("mesh.odd_thing portal_vein 0.5"),
            QStringLiteral("Mesh: odd thing Portal vein 0.50"));
+}
+
+void TextsTest::EveryFaultOfPicturesIsASentence() {
+  constexpr int kLast = static_cast<int>(stereo::Fault::interlaced);
+  for (int fault = 0; fault <= kLast; ++fault) {
+    const std::string note = stereo::fault_note(static_cast<stereo::Fault>(fault));
+    QVERIFY2(ui::note_text(note) != ui::readable_code(note), note.c_str());
+    QVERIFY2(ui::note_text(note).endsWith(QLatin1Char('.')), note.c_str());
+  }
 }
 
 void TextsTest::EveryStageOfTheModulesHasAWord() {

@@ -162,6 +162,8 @@ const char* fault_code(Fault fault) {
   return "unknown";
 }
 
+std::string fault_note(Fault fault) { return std::string("stereo.") + fault_code(fault); }
+
 bool PairCheck::has(Fault fault) const {
   return std::find(faults.begin(), faults.end(), fault) != faults.end();
 }

@@ -177,6 +177,15 @@ class Notes {
         {"stereo.unrelated", tr("The two pictures show nothing in common.")},
         {"stereo.other_scope", tr("The calibration is of another laparoscope: the pictures' points do not "
                                   "lie on its epipolar lines.")},
+        {"stereo.duplicated", tr("The frame before comes once more.")},
+        {"stereo.frozen", tr("The picture is frozen.")},
+        {"stereo.left_frozen", tr("The left picture is frozen.")},
+        {"stereo.right_frozen", tr("The right picture is frozen.")},
+        {"stereo.out_of_order", tr("Two frames have changed places.")},
+        {"stereo.interlaced",
+         tr("The film is interlaced: the even and the odd rows of a picture show two moments, so that points "
+            "on what moves are off by its motion in half of a frame's time. Set the device to progressive, "
+            "or give --video a description of the source (.json) with \"deinterlace\": true.")},
         {"calibration.outlier", tr("The view %1 fits far worse than the others and was left out.")},
         {"calibration.proposed",
          tr("The view %1 fits far worse than the others: calibrate again without it.")},

@@ -26,8 +26,7 @@ stereo::PairInput input_of(const CaseState& state) {
 std::vector<std::string> notes_of(const stereo::PairCloud& made) {
   std::vector<std::string> notes;
   if (!made.check) return notes;
-  for (const stereo::Fault fault : made.check->faults)
-    notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+  for (const stereo::Fault fault : made.check->faults) notes.push_back(stereo::fault_note(fault));
   return notes;
 }
 

@@ -33,6 +33,8 @@ enum class Fault {
 };
 /// "black", "left_lost", ...
 const char* fault_code(Fault fault);
+/// The same as a note: "stereo.black", ...
+std::string fault_note(Fault fault);
 
 /// What one pair shows of its own soundness. Without faults, geometry may still be unknown: see `matches`.
 struct PairCheck {
