@@ -205,6 +205,19 @@ class FaultsTest : public QObject {
  private slots:
   void SoundOperationHasNoFaults() { COMPARE_FAULTS(faults_of(film().frames), ""); }
 
+  void ARigIsOfPicturesOfItsSize() {
+    StereoRig rig;
+    rig.left.width = 64;
+    rig.left.height = 48;
+    const auto picture = [](int width, int height) { return Picture{width, height, 3, nullptr}; };
+    QVERIFY(is_rig_of(rig, picture(64, 48)));
+    require_rig_of(rig, picture(64, 48));
+    for (const auto& [width, height] : {std::pair(64, 47), {65, 48}}) {
+      QVERIFY(!is_rig_of(rig, picture(width, height)));
+      QVERIFY_THROWS_EXCEPTION(InputError, require_rig_of(rig, picture(width, height)));
+    }
+  }
+
   void BlackFramesAreRecognised() {
     COMPARE_FAULTS(with([](auto& frames) {
                      for (const int i : {5, 6}) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "glisson/stereo/faults.h"
 #include "picture_view.h"
 
 namespace glisson::guidance {
@@ -95,7 +96,7 @@ struct Relocator::Impl {
 
   Features features(const Picture& left) const {
     Features found;
-    if (left.empty() || left.width != rig.left.width || left.height != rig.left.height) return found;
+    if (left.empty() || !stereo::is_rig_of(rig, left)) return found;
     cv::Mat small;
     cv::resize(grey_of(left), small, size(), 0, 0, cv::INTER_AREA);
     std::vector<cv::KeyPoint> points;

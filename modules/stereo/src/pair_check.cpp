@@ -188,8 +188,12 @@ PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig&
   return check;
 }
 
+bool is_rig_of(const StereoRig& rig, const Picture& left) {
+  return left.width == rig.left.width && left.height == rig.left.height;
+}
+
 void require_rig_of(const StereoRig& rig, const Picture& left) {
-  if (left.width == rig.left.width && left.height == rig.left.height) return;
+  if (is_rig_of(rig, left)) return;
   throw InputError("calibration", "image_width, image_height",
                    "is for pictures of " + size_text(rig.left.width, rig.left.height) +
                        ", the pictures are " + size_text(left.width, left.height),

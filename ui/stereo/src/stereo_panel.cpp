@@ -21,6 +21,7 @@
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/stereo/faults.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/colours.h"
@@ -396,8 +397,7 @@ QString StereoPanel::obstacle() const {
 bool StereoPanel::rig_fits() const {
   const engine::CaseState& now = engine().state();
   return now[part::rig] &&
-         (!now[part::frame] || (now[part::frame]->frame.left.width == now[part::rig]->left.width &&
-                                now[part::frame]->frame.left.height == now[part::rig]->left.height));
+         (!now[part::frame] || stereo::is_rig_of(*now[part::rig], now[part::frame]->frame.left));
 }
 
 }  // namespace glisson::ui

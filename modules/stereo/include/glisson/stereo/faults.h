@@ -55,7 +55,9 @@ PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig&
 /// @throws InputError with a sentence on the first fault of a pair that makes reconstruction pointless.
 void require_sound(const PairCheck& check);
 
-/// @throws InputError the calibration is for pictures of another size than the left one.
+/// Whether the calibration is for pictures of the left one's size.
+bool is_rig_of(const StereoRig& rig, const Picture& left);
+/// @throws InputError it is not (is_rig_of).
 void require_rig_of(const StereoRig& rig, const Picture& left);
 /// @param mask may be empty. @param mask_name of it in the message.
 /// @throws InputError left and right differ in size, or the mask is not of the left one's.
