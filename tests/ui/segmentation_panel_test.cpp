@@ -30,6 +30,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void cleanup() { window_.reset(); }
   void WithoutACtAToolSaysWhatToDoFirst();
   void LockedLabelIsNotTouched();
+  void ALiverThatIsLockedNeedsNoSeed();
   void HiddenLabelLeavesTheViews();
   void LabelThatToolsWorkOnHasItsRow();
   void KeysChooseToolsAndEscLetsGo();
@@ -71,6 +72,21 @@ void SegmentationPanelTest::LockedLabelIsNotTouched() {
   QVERIFY(settle());
   QVERIFY(labels() == before);
   QVERIFY(find<QLabel>("edit_outcome")->text().contains(QStringLiteral("locked")));
+}
+
+void SegmentationPanelTest::ALiverThatIsLockedNeedsNoSeed() {
+  open_labels();
+  press("mode_seeds");
+  press("seed_portal_vein");
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.02, -0.015, 0)).toPoint());
+  QVERIFY(settle());
+  auto* segment = window_->findChild<ui::TaskButton*>(QStringLiteral("segment"));
+  QVERIFY(!segment->button()->isEnabled());
+  click_mark(structure::kParenchyma, ui::LabelTable::locked);
+  QVERIFY(segment->button()->isEnabled());
+  click_mark(structure::kParenchyma, ui::LabelTable::locked);
+  QVERIFY(!segment->button()->isEnabled());
 }
 
 void SegmentationPanelTest::HiddenLabelLeavesTheViews() {

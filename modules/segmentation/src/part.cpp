@@ -5,12 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "glisson/core/error.h"
-
 namespace glisson::segmentation {
 namespace {
-
-constexpr int kLeastRegion = 8;  // voxels a side
 
 VolumeGrid part_of(const VolumeGrid& grid, const VoxelBox& box) {
   VolumeGrid part = grid;
@@ -38,9 +34,6 @@ VoxelBox box_of(const VolumeGrid& grid, const std::optional<Eigen::AlignedBox3d>
     box.low[axis] = static_cast<int>(std::clamp(std::ceil(indices.min()[axis]), 0.0, last));
     box.high[axis] = static_cast<int>(std::clamp(std::floor(indices.max()[axis]) + 1.0, 0.0, last));
   }
-  if ((box.size().array() < kLeastRegion).any())
-    throw InputError("options", "region", "holds too little of the image",
-                     "Draw the region around the liver");
   return box;
 }
 

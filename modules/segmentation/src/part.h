@@ -16,8 +16,8 @@ namespace glisson::segmentation {
 /// Whether the voxel nearest to a place (CT frame, metres) is one of the image's.
 bool holds(const VolumeGrid& image, const Eigen::Vector3d& p_in_ct);
 
-/// The voxels of a box in the patient (CT frame, metres); all of them without one.
-/// @throws InputError when it holds too little of the image.
+/// The voxels of a box in the patient (CT frame, metres), none where it lies beside the image; all of them
+/// without one.
 VoxelBox box_of(const VolumeGrid& grid, const std::optional<Eigen::AlignedBox3d>& region);
 /// The image around points, in voxels, kept inside.
 VoxelBox box_around(const VolumeGrid& image, const Points& points, double reach_mm);

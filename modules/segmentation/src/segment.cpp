@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kVesselSpacing = 1.0;  // mm
 constexpr double kAroundTrees = 15.0;   // mm that trees are looked for in around the liver and their clicks
+constexpr int kLeastRegion = 8;         // voxels a side
 
 void check_points(const Image& image, const Points& points, const std::string& name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -251,8 +252,8 @@ namespace {
 
 /// Why a structure that was asked for is not looked for. @param without_locks what would be, were nothing
 /// locked.
-InputError hindrance(const char* code, bool Structures::*structure, const SegmentationOptions& options,
-                     const Structures& without_locks) {
+InputError not_looked_for(const char* code, bool Structures::*structure, const SegmentationOptions& options,
+                          const Structures& without_locks) {
   if (!(without_locks.*structure))
     return {"seeds", code, options.region ? "has no point in the region" : "has no point",
             "Click it first, or find something else anew"};
@@ -271,12 +272,38 @@ void require_something_to_find(const SegmentationOptions& options, const VolumeG
   for (const auto& [code, structure] : kStructureCodes)
     if (anew.*structure) return;
   for (const auto& [code, structure] : kStructureCodes)
-    if (options.structures.*structure) throw hindrance(code, structure, options, without_locks);
+    if (options.structures.*structure) throw not_looked_for(code, structure, options, without_locks);
+}
+
+std::optional<Hindrance> hindrance(const SegmentationOptions& options, const VolumeGrid& grid,
+                                   const Seeds& seeds, bool keeps_labels) {
+  if (options.region && (box_of(grid, options.region).size().array() < kLeastRegion).any())
+    return Hindrance::small_region;
+  if (!unlocked(options.structures, options.locked).liver)
+    return keeps_labels ? std::nullopt : std::optional(Hindrance::no_kept_liver);
+  if (part_of(seeds, grid, options.region).liver.rows() > 0) return std::nullopt;
+  return seeds.liver.rows() > 0 ? Hindrance::no_liver_seed_in_region : Hindrance::no_liver_seed;
 }
 
 namespace {
 
-/// segment() on the scale of a CT. @pre the input is checked.
+InputError error_of(Hindrance which) {
+  const char* remedy = "Click at least one point inside the liver";
+  switch (which) {
+    case Hindrance::small_region:
+      return {"options", "region", "holds too little of the image", "Draw the region around the liver"};
+    case Hindrance::no_liver_seed:
+      return {"seeds", "liver", "has no point", remedy};
+    case Hindrance::no_liver_seed_in_region:
+      return {"seeds", "liver", "has no point in the region", remedy};
+    case Hindrance::no_kept_liver:
+      return {"labels", "liver", "is not there, and was not to be segmented",
+              "Segment the liver too, or paint it first"};
+  }
+  throw PreconditionError("a hindrance has a sentence");
+}
+
+/// segment() on the scale of a CT. @pre the input is checked, and nothing hinders.
 Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
                                   const SegmentationOptions& options, const RunContext& context,
                                   const LabelMap* all_kept, const ShowLiver& show) {
@@ -290,12 +317,6 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
     if (!anew.liver) kept_part->liver = inside_liver(kept_part->labels);
   }
   const Kept* kept = kept_part ? &*kept_part : nullptr;
-  if (anew.liver && seeds.liver.rows() == 0)
-    throw InputError("seeds", "liver", options.region ? "has no point in the region" : "has no point",
-                     "Click at least one point inside the liver");
-  if (!anew.liver && kept == nullptr)
-    throw InputError("labels", "liver", "is not there, and was not to be segmented",
-                     "Segment the liver too, or paint it first");
 
   LiveView view(whole.grid, box, show);
   ShowContour show_contour;
@@ -332,6 +353,7 @@ Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const Seg
   options.validate();
   check_input(image, seeds);
   if (kept != nullptr) require_same_grid(kept->voxels.grid(), image.grid, "labels that are kept");
+  if (const auto first = hindrance(options, image.grid, seeds, kept != nullptr)) throw error_of(*first);
   const double scaled = image.modality == Modality::ct ? 0.0 : 0.15;
   const auto on_scale = on_ct_scale(image, seeds, kept, context.part(0.0, scaled));
   if (!on_scale) return std::nullopt;

@@ -21,7 +21,6 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/image.h"
-#include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/error_texts.h"
@@ -37,13 +36,26 @@
 namespace glisson::ui {
 namespace {
 
-constexpr double kLeastVoxels = 9.0;  ///< a side of the region: segment() wants eight of them whole
-constexpr int kColumns = 2;           ///< of buttons
-constexpr int kLesionRows = 2;        ///< in sight; more are scrolled to
-constexpr int kGap = 4;               ///< pixels between buttons
+constexpr int kColumns = 2;     ///< of buttons
+constexpr int kLesionRows = 2;  ///< in sight; more are scrolled to
+constexpr int kGap = 4;         ///< pixels between buttons
 
 QString seed_name(Label label) {
   return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
+}
+
+QString hindrance_text(segmentation::Hindrance hindrance) {
+  switch (hindrance) {
+    case segmentation::Hindrance::small_region:
+      return SeedBox::tr("The box is too small.");
+    case segmentation::Hindrance::no_liver_seed:
+      return SeedBox::tr("Place at least one seed in the liver.");
+    case segmentation::Hindrance::no_liver_seed_in_region:
+      return SeedBox::tr("Place a seed in the liver inside the box.");
+    case segmentation::Hindrance::no_kept_liver:
+      return SeedBox::tr("There is no liver yet: find everything first.");
+  }
+  return {};
 }
 
 /// What growth can find anew, as people ask for it; all else stays as a hand left it.
@@ -255,19 +267,16 @@ segmentation::SegmentationOptions SeedBox::options() const {
   segmentation::SegmentationOptions options;
   options.working_spacing_mm = region_->resolution_mm();
   options.region = region_->region();
-  options.structures = structures();
+  options.structures = finds()[static_cast<std::size_t>(what_->currentIndex())].structures;
   options.locked = {locked_.begin(), locked_.end()};
   return options;
-}
-
-segmentation::Structures SeedBox::structures() const {
-  return finds()[static_cast<std::size_t>(what_->currentIndex())].structures;
 }
 
 void SeedBox::set_locked(const std::set<Label>& labels) {
   locked_ = labels;
   correction_->set_locked(labels);
   network_->set_locked(labels);
+  run_->set_obstacle(obstacle());
 }
 
 void SeedBox::set_active(bool on) {
@@ -480,18 +489,8 @@ QString SeedBox::obstacle() const {
   if (!storing_.empty()) now[part::seeds] = std::make_shared<const segmentation::Seeds>(seeds_);
   const engine::Segment command{options(), engine::OverHandWork::offer};
   if (const auto first = engine::obstacle(now, command)) return obstacle_text(first);
-  const auto& image = engine_.state()[part::image];
-  const auto& region = region_->region();
-  if (region && (1e3 * region->sizes().array() < kLeastVoxels * image->grid.spacing_mm.maxCoeff()).any())
-    return tr("The box is too small.");
-  if (!structures().liver)
-    return engine_.state()[part::labels] ? QString() : tr("There is no liver yet: find everything first.");
-  if (seeds_.liver.rows() == 0) return tr("Place at least one seed in the liver.");
-  const auto rows = seeds_.liver.rowwise();
-  if (region && std::none_of(rows.begin(), rows.end(),
-                             [&](const auto& row) { return region->contains(row.transpose()); }))
-    return tr("Place a seed in the liver inside the box.");
-  return {};
+  const auto hindrance = command.hindrance(now);
+  return hindrance ? hindrance_text(*hindrance) : QString();
 }
 
 }  // namespace glisson::ui

@@ -55,6 +55,11 @@ std::set<Label> Segment::would_replace(const CaseState& state) const {
   return replaced;
 }
 
+std::optional<segmentation::Hindrance> Segment::hindrance(const CaseState& state) const {
+  return segmentation::hindrance(options, state[part::image]->grid, *state[part::seeds],
+                                 keeps_labels() && state[part::labels]);
+}
+
 CommandTraits Segment::traits() const {
   CommandTraits traits{.code = "segment",
                        .reads = {part::image, part::seeds},

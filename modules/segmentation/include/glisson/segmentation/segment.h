@@ -86,6 +86,18 @@ bool is_found_anew(Label label, const SegmentationOptions& options, const Volume
 void require_something_to_find(const SegmentationOptions& options, const VolumeGrid& grid,
                                const Seeds& seeds);
 
+/// Why segment() cannot begin.
+enum class Hindrance {
+  small_region,             ///< the region holds less of the image than eight voxels a side
+  no_liver_seed,            ///< the liver is to be found, and nobody has clicked it
+  no_liver_seed_in_region,  ///< nobody has in the region
+  no_kept_liver             ///< the liver is neither to be found nor kept
+};
+/// Asked without doing anything; segment() throws it. Empty: nothing hinders.
+/// @param grid of the image. @param keeps_labels whether segment() is given labels to keep.
+std::optional<Hindrance> hindrance(const SegmentationOptions& options, const VolumeGrid& grid,
+                                   const Seeds& seeds, bool keeps_labels);
+
 /// Volumes, and what a person should look at. The liver's is with vessels and lesions in it.
 struct SegmentationReport {
   double liver_ml = 0.0, portal_ml = 0.0, hepatic_ml = 0.0;
@@ -110,9 +122,8 @@ using ShowLiver = std::function<void(const LabelVolume& liver)>;
 ///   voxel; none: everything starts empty. Its untouched bricks are shared by the result. Vessels found anew
 ///   inside a kept liver take the place of its parenchyma, and leave parenchyma where they are no more.
 /// @param show may be empty.
-/// @throws InputError seeds outside the image, none for the liver (or, when it is kept, no liver in `kept`),
-///   another grid, a region beside the
-///   image, not a CT.
+/// @throws InputError seeds outside the image, a hindrance(), no liver in `kept` where it is kept, another
+///   grid, neither CT nor MRI.
 Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const SegmentationOptions& options,
                                const RunContext& context, const LabelMap* kept = nullptr,
                                const ShowLiver& show = {});

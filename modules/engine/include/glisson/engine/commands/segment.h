@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include "glisson/engine/command.h"
@@ -21,6 +22,8 @@ struct Segment {
   }
   /// Labels that a hand has corrected (see edited_by_hand()) and that would be found anew, or be gone.
   std::set<Label> would_replace(const CaseState& state) const;
+  /// Why growth cannot begin; empty: it can. @pre what the command needs is there.
+  std::optional<segmentation::Hindrance> hindrance(const CaseState& state) const;
   CommandTraits traits() const;
   /// What would change of the corrected labels is told in the figures, whatever is done about it.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context,

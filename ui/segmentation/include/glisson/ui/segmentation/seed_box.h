@@ -74,7 +74,6 @@ class SeedBox : public QWidget {
   void clear_or_put_back();
   bool puts_back() const;
   segmentation::SegmentationOptions options() const;
-  segmentation::Structures structures() const;
   QString obstacle() const;
   /// Growth as it is set; where it would change what a hand has corrected, the person decides (OfferBox).
   std::optional<engine::Command> growth();
