@@ -3,6 +3,7 @@
 // cancelled and told as missing like the built-in ones.
 #include <QTest>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +37,7 @@ const PartOf<Plan> plan{
     {.code = "plan",
      .made_of = {part::seeds},
      .remedy = "Write a plan first",
+     .files = {"plan.txt"},
      .save = [](const CaseState& state, const CaseFolder& folder) -> nlohmann::json {
        write_file_atomically(folder.path / "plan.txt", state[plan]->text);
        return {{"letters", state[plan]->text.size()}};
@@ -98,6 +100,8 @@ class OpenSetTest : public QObject {
   void ItIsMissingUntilItIsThere();
   void ItIsSavedAndOpened();
   void DamagedItIsNamed();
+  void ItsFileIsTheCases();
+  void AForeignFileOfItsNameIsKeptBeside();
   void ItsCommandIsCancelled();
 };
 
@@ -174,6 +178,45 @@ void OpenSetTest::DamagedItIsNamed() {
   QCOMPARE(opened.status, Status::failed);
   QVERIFY2(opened.error.find("plan.txt: letters: are lost") != std::string::npos, opened.error.c_str());
   QCOMPARE(engine->snapshot()->state[plan]->text, std::string("left lobe first"));
+}
+
+/// Changed by others, it is told; led out of the case, it is not opened.
+void OpenSetTest::ItsFileIsTheCases() {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.glisson";
+  const auto engine = make_engine(Runner::inline_);
+  engine->post(seeds(0.1));
+  engine->post(WritePlan{"left lobe first"});
+  engine->wait(engine->post(SaveCase{path}));
+  write_file_atomically(path / "plan.txt", "left lobe after");  // as long as it was
+  std::vector<std::string> told;
+  const auto opened = open_case(path, RunContext(), &told);
+  QVERIFY(opened && (*opened)[plan]->text == "left lobe after");
+  QCOMPARE(told, std::vector<std::string>{"case.changed_outside plan.txt"});
+  write_file_atomically(folder.path() / "another's.txt", "right lobe only");
+  std::filesystem::remove(path / "plan.txt");
+  std::filesystem::create_symlink(folder.path() / "another's.txt", path / "plan.txt");
+  QVERIFY_THROWS_EXCEPTION(InputError, (void)open_case(path, RunContext()));
+}
+
+void OpenSetTest::AForeignFileOfItsNameIsKeptBeside() {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "a.glisson", kept = path / "plan.txt.kept-1";
+  const auto engine = make_engine(Runner::inline_);
+  engine->post(seeds(0.1));
+  QCOMPARE(engine->wait(engine->post(SaveCase{path})).status, Status::done);
+  write_file_atomically(path / "plan.txt", "a letter");
+  // Though no plan comes in its place: it would be one for whoever opens the case.
+  engine->post(seeds(0.2));
+  const Outcome saved = engine->wait(engine->post(SaveCase{path}));
+  QVERIFY2(saved.status == Status::done, saved.error.c_str());
+  QCOMPARE(saved.notes, std::vector<std::string>{"case.kept_changed " + kept.string()});
+  QCOMPARE(read_file(kept), std::string("a letter"));
+  QVERIFY(!std::filesystem::exists(path / "plan.txt"));
+  engine->post(WritePlan{"left lobe first"});
+  QCOMPARE(engine->wait(engine->post(SaveCase{path})).status, Status::done);
+  QCOMPARE(read_file(path / "plan.txt"), std::string("left lobe first"));
+  QCOMPARE(read_file(kept), std::string("a letter"));
 }
 
 void OpenSetTest::ItsCommandIsCancelled() {
