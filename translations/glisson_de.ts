@@ -10124,6 +10124,10 @@
         <translation>Dies ist die Kalibrierung mit den angekreuzten Ansichten.</translation>
     </message>
     <message>
+        <source>Views of the board that were not needed, because the others differ more: %1.</source>
+        <translation>Ansichten der Tafel, die nicht gebraucht wurden, weil die anderen sich mehr unterscheiden: %1.</translation>
+    </message>
+    <message>
         <source>The board was not found in both pictures of: %1.</source>
         <translation>Die Tafel wurde nicht in beiden Bildern gefunden von: %1.</translation>
     </message>

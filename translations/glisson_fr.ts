@@ -10124,6 +10124,10 @@
         <translation>Ceci est l’étalonnage avec les vues cochées.</translation>
     </message>
     <message>
+        <source>Views of the board that were not needed, because the others differ more: %1.</source>
+        <translation>Vues de la mire dont il n’a pas été besoin, car les autres diffèrent davantage : %1.</translation>
+    </message>
+    <message>
         <source>The board was not found in both pictures of: %1.</source>
         <translation>La mire n’a pas été trouvée dans les deux images de : %1.</translation>
     </message>

@@ -60,32 +60,33 @@ stereo::Board board_of(const Arguments& arguments) {
   return board;
 }
 
-/// The views of the board, wherever the pictures come from.
-class ViewSource {
- public:
-  ViewSource(const Arguments& arguments, Session& session)
-      : arguments_(arguments), session_(session), views_(board_of(arguments)) {}
-
-  stereo::BoardViews find() {
-    const bool sides = arguments_.has("left") || arguments_.has("right");
-    if (arguments_.has("pairs") + arguments_.has("video") + sides != 1)
-      throw UsageError(
-          "glisson calibrate: one of --pairs, --left with --right, and --video is needed. See 'glisson "
-          "calibrate --help'.");
-    const auto told = [this](const std::string& name, stereo::BoardViews::Found found) { tell(name, found); };
-    const bool whole =
-        arguments_.has("video") ? from_video(told)
-        : sides
-            ? from(stereo::picture_pairs(arguments_.required_path("left"), arguments_.required_path("right")),
-                   told)
-            : from(stereo::picture_pairs(arguments_.path("pairs")), told);
-    if (!whole) throw Interrupted();
-    views_.keep_most_different(arguments_.integer("most-views", 3, 200));
-    return std::move(views_);
+/// Where the pictures of the board are.
+stereo::BoardSearch search_of(const Arguments& arguments) {
+  const bool sides = arguments.has("left") || arguments.has("right");
+  if (arguments.has("pairs") + arguments.has("video") + sides != 1)
+    throw UsageError(
+        "glisson calibrate: one of --pairs, --left with --right, and --video is needed. See 'glisson "
+        "calibrate --help'.");
+  stereo::BoardSearch search;
+  search.board = board_of(arguments);
+  search.most_views = arguments.integer("most-views", 3, 200);
+  search.is_video = arguments.has("video");
+  if (sides) {
+    search.left = arguments.required_path("left");
+    search.right = arguments.required_path("right");
+  } else {
+    search.left = arguments.path(search.is_video ? "video" : "pairs");
+    if (search.is_video) search.right = arguments.path("video-right");
   }
+  return search;
+}
 
- private:
-  void tell(const std::string& name, stereo::BoardViews::Found found) const {
+/// Says what of the pictures shows no board.
+stereo::BoardTold told_on_terminal(bool is_video) {
+  const auto alone = [](const fs::path& picture) {
+    say(Cli::tr("%1: has no partner").arg(QString::fromStdString(picture.string())));
+  };
+  const auto looked = [is_video](const std::string& name, stereo::BoardViews::Found found) {
     using Found = stereo::BoardViews::Found;
     const QString pair = QString::fromStdString(name);
     switch (found) {
@@ -96,25 +97,11 @@ class ViewSource {
       case Found::right_only:
         return say(Cli::tr("%1: the board is found in the right picture only").arg(pair));
       case Found::neither:
-        if (!arguments_.has("video")) say(Cli::tr("%1: no board is found").arg(pair));
+        if (!is_video) say(Cli::tr("%1: no board is found").arg(pair));
     }
-  }
-
-  bool from(const stereo::PicturePairs& files, const stereo::BoardTold& told) {
-    for (const fs::path& file : files.alone)
-      say(Cli::tr("%1: has no partner").arg(QString::fromStdString(file.string())));
-    return stereo::add_pairs(views_, files.pairs, session_.context(), told);
-  }
-
-  bool from_video(const stereo::BoardTold& told) {
-    stereo::StereoVideo video(arguments_.path("video"), arguments_.path("video-right"));
-    return stereo::add_frames(views_, video, session_.context(), told);
-  }
-
-  const Arguments& arguments_;
-  Session& session_;
-  stereo::BoardViews views_;
-};
+  };
+  return {alone, looked};
+}
 
 /// As the person gave them.
 std::string pictures_of(const Arguments& arguments) {
@@ -217,16 +204,14 @@ int run_calibrate(const QStringList& given) {
   arguments.require_existing("reference");
   refuse_idle_options(arguments);
   if (arguments.has("text")) return convert(arguments, out);
+  engine::CalibrateRig command;
+  command.search = search_of(arguments);
   Session session(arguments);
   for (const char* name : {"board", "left and right pictures"}) session.call(name, pictures_of(arguments));
-  engine::CalibrateRig command;
-  command.found = std::make_shared<const stereo::BoardViews>(ViewSource(arguments, session).find());
-  command.board = command.found->board();
+  command.told = told_on_terminal(command.search.is_video);
   command.options.third_radial = arguments.has("k3");
   command.options.drop_outliers = arguments.has("drop-outliers");
-  if (arguments.has("reference") && command.found->pairs() > 0)
-    command.options.reference = stereo::read_calibration_for(
-        arguments.path("reference"), command.found->width(), command.found->height(), {});
+  command.reference = arguments.path("reference");
   const auto sheet = session.post(std::move(command)).result.as<engine::CalibrationSheet>();
   session.notes = stereo::calibration_doubts(sheet->calibration.rig);  // outliers: the table says them
   tell_views(sheet->calibration);

@@ -46,6 +46,7 @@ class StereoCommandsTest : public QObject, private test::Program {
   void CalibrateNamesABoardThatWasMoved();
   void CalibrateLeavesItOutAndFindsTheTrueCameras();
   void CalibrateSaysWhichBoardItSees();
+  void CalibrateKeepsTheViewsThatDifferMost();
   void CalibrateConvertsPlainText();
   void ACancelledCalibrationWritesNothing();
   void GoodPicturesAreNotCalledDamagedWhereATerminalInterrupts();
@@ -220,6 +221,17 @@ void StereoCommandsTest::CalibrateSaysWhichBoardItSees() {
   QVERIFY2(ran.error.contains("9x6") && ran.error.trimmed().count('\n') == 0, qPrintable(ran.error));
   QVERIFY(ran.out.contains("no board is found"));
   QVERIFY(!fs::exists(at("c.yaml")));
+}
+
+void StereoCommandsTest::CalibrateKeepsTheViewsThatDifferMost() {
+  put_boards();
+  fs::copy_file(at("boards/left-0.png"), at("boards/left-77.png"));
+  const Ran ran = run(calibrate({"--most-views", "4", "--json", "c.json"}));
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QVERIFY2(ran.out.contains("left-77.png: has no partner"), qPrintable(ran.out));
+  const QJsonObject json = figures("c.json");
+  QCOMPARE(json["calibration_pairs"].toInt(), kPairs);
+  QCOMPARE(json["calibration_views"].toInt(), 4);
 }
 
 void StereoCommandsTest::CalibrateConvertsPlainText() {

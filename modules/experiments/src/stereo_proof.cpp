@@ -112,25 +112,26 @@ bool prove_opencas(const fs::path& data, const fs::path& folder, StereoProof& pr
 
 bool prove_chessboard(const fs::path& data, const fs::path& folder, StereoProof& proof,
                       const RunContext& context) {
-  stereo::BoardViews views{stereo::Board()};
-  const auto pairs = stereo::picture_pairs(data).pairs;
-  if (!stereo::add_pairs(views, pairs, context.part(0.0, 0.8))) return false;
+  stereo::BoardSearch search;
+  search.left = data;
+  const auto views = stereo::find_views(search, context.part(0.0, 0.8));
+  if (!views) return false;
   stereo::CalibrateOptions options;
-  options.reference = stereo::read_text_calibration(data, views.width(), views.height());
-  const auto calibration = stereo::calibrate(views, options, context.part(0.8, 1.0));
+  options.reference = stereo::read_text_calibration(data, views->width(), views->height());
+  const auto calibration = stereo::calibrate(*views, options, context.part(0.8, 1.0));
   if (!calibration) return false;
   const auto better =
       std::count_if(calibration->views.begin(), calibration->views.end(),
                     [](const auto& view) { return view.epipolar_left_out < view.epipolar_reference; });
-  proof.figures["chessboard_pairs"] = static_cast<double>(pairs.size());
-  proof.figures["chessboard_views"] = static_cast<double>(views.views().size());
+  proof.figures["chessboard_pairs"] = views->pairs();
+  proof.figures["chessboard_views"] = static_cast<double>(views->views().size());
   proof.figures["chessboard_rms_px"] = calibration->rms;
   proof.figures["chessboard_epipolar_left_out_px"] = calibration->epipolar_left_out;
   proof.figures["chessboard_epipolar_reference_px"] = calibration->epipolar_reference;
   proof.figures["chessboard_views_better_share"] =
       static_cast<double>(better) / std::max(1.0, static_cast<double>(calibration->views.size()));
   proof.figures["chessboard_baseline_mm"] = 1e3 * calibration->rig.baseline();
-  stereo::write_picture(folder / "chessboard_coverage.png", stereo::coverage_picture(views, *calibration));
+  stereo::write_picture(folder / "chessboard_coverage.png", stereo::coverage_picture(*views, *calibration));
   return true;
 }
 

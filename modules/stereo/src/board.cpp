@@ -295,6 +295,7 @@ void BoardViews::keep_most_different(int most) {
   std::vector<BoardView> views;
   views.reserve(kept.size());
   for (const std::size_t i : kept) views.push_back(std::move(views_[i]));
+  too_alike_ += static_cast<int>(views_.size() - views.size());
   views_ = std::move(views);
 }
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/core/error.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/picture_reader.h"
 
 namespace glisson::stereo {
@@ -14,24 +17,26 @@ constexpr const char* kStage = "calibrate.find_board";
 void add(BoardViews& views, const std::string& name, const Picture& left, const Picture& right,
          const BoardTold& told) {
   const BoardViews::Found found = views.add(name, left, right);
-  if (told) told(name, found);
+  if (told.looked) told.looked(name, found);
 }
 
-}  // namespace
-
-bool add_pairs(BoardViews& views, const std::vector<PicturePair>& pairs, const RunContext& context,
+/// @return false: cancelled.
+bool add_pairs(BoardViews& views, const PicturePairs& files, const RunContext& context,
                const BoardTold& told) {
+  if (told.alone)
+    for (const std::filesystem::path& picture : files.alone) told.alone(picture);
   double done = 0.0;
   PictureReader reader;
-  for (const PicturePair& pair : pairs) {
+  for (const PicturePair& pair : files.pairs) {
     if (context.cancelled()) return false;
-    context.progress(done++ / static_cast<double>(pairs.size()), kStage);
+    context.progress(done++ / static_cast<double>(files.pairs.size()), kStage);
     const Picture left = reader.read(pair.left), right = reader.read(pair.right);
     add(views, pair.name, left, right, told);
   }
   return true;
 }
 
+/// @return false: cancelled.
 bool add_frames(BoardViews& views, StereoVideo& video, const RunContext& context, const BoardTold& told) {
   constexpr int kLooks = 60;  // a second each
   const int frames = video.frame_count();
@@ -48,6 +53,34 @@ bool add_frames(BoardViews& views, StereoVideo& video, const RunContext& context
     add(views, "frame " + std::to_string(frame.index), frame.left, frame.right, told);
   }
   return true;
+}
+
+bool add_all(BoardViews& views, const BoardSearch& search, const RunContext& context, const BoardTold& told) {
+  if (search.is_video) {
+    StereoVideo video(search.left, search.right);
+    return add_frames(views, video, context, told);
+  }
+  return add_pairs(
+      views, search.right.empty() ? picture_pairs(search.left) : picture_pairs(search.left, search.right),
+      context, told);
+}
+
+}  // namespace
+
+void BoardSearch::validate() const {
+  constexpr int kFewest = 3, kMost = 200;
+  board.validate();
+  OptionCheck("board search")(most_views >= kFewest && most_views <= kMost, "most_views", most_views,
+                              "Give a number from 3 to 200");
+}
+
+Cancellable<BoardViews> find_views(const BoardSearch& search, const RunContext& context,
+                                   const BoardTold& told) {
+  search.validate();
+  BoardViews views(search.board);
+  if (!add_all(views, search, context, told)) return std::nullopt;
+  views.keep_most_different(search.most_views);
+  return views;
 }
 
 }  // namespace glisson::stereo

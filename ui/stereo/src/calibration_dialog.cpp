@@ -160,12 +160,13 @@ QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
 
 engine::CalibrateRig CalibrationDialog::command() const {
   engine::CalibrateRig command;
-  command.left = folder_->text().trimmed().toStdString();
-  command.board.columns = columns_->value();
-  command.board.rows = rows_->value();
-  command.board.square = square_->value() * kMillimetre;
-  command.board.dictionary = kind_->currentData().toString().toStdString();
-  if (command.board.charuco()) command.board.marker = marker_->value() * kMillimetre;
+  command.search.left = folder_->text().trimmed().toStdString();
+  stereo::Board& board = command.search.board;
+  board.columns = columns_->value();
+  board.rows = rows_->value();
+  board.square = square_->value() * kMillimetre;
+  board.dictionary = kind_->currentData().toString().toStdString();
+  if (board.charuco()) board.marker = marker_->value() * kMillimetre;
   return command;
 }
 
@@ -212,6 +213,9 @@ void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
                       {tr("Baseline"), tr("%1 mm").arg(1e3 * made.rig.baseline(), 0, 'f', 2)}});
   QStringList lines;
   if (!outcome.notes.empty()) lines << notes_text(outcome.notes);
+  if (views.too_alike() > 0)
+    lines << tr("Views of the board that were not needed, because the others differ more: %1.")
+                 .arg(views.too_alike());
   QStringList without;
   for (const std::string& name : views.not_found()) without << QString::fromStdString(name);
   if (!without.isEmpty())

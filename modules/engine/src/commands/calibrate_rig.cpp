@@ -3,23 +3,19 @@
 
 #include "glisson/core/note_value.h"
 #include "glisson/engine/parts/rig.h"
-#include "glisson/stereo/board_series.h"
 #include "glisson/stereo/calibration_io.h"
 
 namespace glisson::engine {
 namespace {
 
 constexpr double kFindShare = 0.7;  ///< of the time, for finding the boards
-constexpr int kFewestViews = 3;
 
 /// Null: cancelled.
 std::shared_ptr<const stereo::BoardViews> find_boards(const CalibrateRig& command,
                                                       const RunContext& context) {
-  auto views = std::make_shared<stereo::BoardViews>(command.board);
-  const auto pairs = command.right.empty() ? stereo::picture_pairs(command.left).pairs
-                                           : stereo::picture_pairs(command.left, command.right).pairs;
-  if (!stereo::add_pairs(*views, pairs, context)) return {};
-  return views;
+  auto views = stereo::find_views(command.search, context, command.told);
+  if (!views) return {};
+  return std::make_shared<const stereo::BoardViews>(std::move(*views));
 }
 
 std::vector<std::string> notes_of(const stereo::Calibration& calibration) {
@@ -37,10 +33,12 @@ Figures figures_of(const stereo::Calibration& calibration, const stereo::BoardVi
   return figures;
 }
 
-Cancellable<stereo::Calibration> calibrated(const stereo::BoardViews& views,
-                                            const stereo::CalibrateOptions& options,
+Cancellable<stereo::Calibration> calibrated(const stereo::BoardViews& views, const CalibrateRig& command,
                                             const RunContext& context) {
-  views.require(kFewestViews);
+  stereo::CalibrateOptions options = command.options;
+  if (!command.reference.empty() && views.pairs() > 0)
+    options.reference =
+        stereo::read_calibration_for(command.reference, views.width(), views.height(), std::nullopt);
   return stereo::calibrate(views, options, context);
 }
 
@@ -58,7 +56,7 @@ CommandTraits CalibrateRig::traits() const { return {.code = "calibrate", .write
 Cancellable<Applied> CalibrateRig::apply(const CaseState& state, const RunContext& context) const {
   const auto views = found ? found : find_boards(*this, context.part(0.0, kFindShare));
   if (!views) return {};
-  auto calibration = calibrated(*views, options, context.part(found ? 0.0 : kFindShare, 1.0));
+  auto calibration = calibrated(*views, *this, context.part(found ? 0.0 : kFindShare, 1.0));
   if (!calibration) return {};
   Applied applied{state, figures_of(*calibration, *views), notes_of(*calibration)};
   applied.state[part::rig] = std::make_shared<const StereoRig>(calibration->rig);

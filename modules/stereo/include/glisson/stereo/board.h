@@ -64,6 +64,8 @@ class BoardViews {
   void add_corners(BoardView view, int width, int height);
   /// Keeps at most so many views, those that differ most in place, size and slant (of a video's many).
   void keep_most_different(int most);
+  /// How many views it has left out.
+  int too_alike() const { return too_alike_; }
   /// @throws InputError fewer than `least` views: no board, one of another size (which is said), or too few.
   void require(int least) const;
 
@@ -79,7 +81,7 @@ class BoardViews {
   std::vector<BoardView> views_;
   std::vector<std::string> not_found_;
   Picture without_;  ///< one in which no board was found
-  int width_ = 0, height_ = 0, pairs_ = 0;
+  int width_ = 0, height_ = 0, pairs_ = 0, too_alike_ = 0;
 };
 
 }  // namespace glisson::stereo

@@ -1,26 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
-#include <vector>
+#include <string>
 
 #include "glisson/core/run_context.h"
 #include "glisson/stereo/board.h"
-#include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
 
 namespace glisson::stereo {
 
-/// Is told of each pair of pictures as soon as the board was looked for in it.
-using BoardTold = std::function<void(const std::string& name, BoardViews::Found found)>;
+/// Which pictures are looked through for which board.
+struct BoardSearch {
+  /// A folder of pairs, or with `right` two folders or patterns (picture_pairs); of a video both views side
+  /// by side, or with `right` the left one.
+  std::filesystem::path left, right;
+  bool is_video = false;
+  Board board;
+  /// So many views are kept, those that differ most (BoardViews::keep_most_different): the time of a
+  /// calibration grows with their square, and many of a board that rests outvote the others.
+  int most_views = 40;
 
-/// Looks for the board in every pair. Progress "calibrate.find_board"; about 2 s for a pair at 1920x1080.
-/// @return false: cancelled. @throws FileError, InputError as read_picture and BoardViews::add.
-bool add_pairs(BoardViews& views, const std::vector<PicturePair>& pairs, const RunContext& context,
-               const BoardTold& told = {});
+  /// @throws InputError the board; most_views not from 3 to 200.
+  void validate() const;
+};
 
-/// Looks for the board in some 60 frames, spread over the video (of one without a known length: in all). The
-/// views are named "frame N". @return false: cancelled. @throws as StereoVideo::read and BoardViews::add.
-bool add_frames(BoardViews& views, StereoVideo& video, const RunContext& context, const BoardTold& told = {});
+/// Who is told on the way what becomes of each picture; either may be empty.
+struct BoardTold {
+  std::function<void(const std::filesystem::path& picture)> alone;  ///< one without a partner
+  std::function<void(const std::string& name, BoardViews::Found found)> looked;
+};
+
+/// Looks for the board in every pair, or in some 60 frames, spread over the video (of one without a known
+/// length: a look a second). Pairs are named by what their files share, frames "frame N". Progress
+/// "calibrate.find_board"; about 2 s for a pair at 1920x1080.
+/// @throws InputError the search; FileError, InputError as picture_pairs, read_picture, StereoVideo and
+/// BoardViews::add.
+Cancellable<BoardViews> find_views(const BoardSearch& search, const RunContext& context,
+                                   const BoardTold& told = {});
 
 }  // namespace glisson::stereo

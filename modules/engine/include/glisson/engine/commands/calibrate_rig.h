@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "glisson/engine/command.h"
+#include "glisson/stereo/board_series.h"
 #include "glisson/stereo/calibrate.h"
 
 namespace glisson::engine {
@@ -16,16 +17,19 @@ struct CalibrationSheet {
   Picture coverage;  ///< stereo::coverage_picture
 };
 
-/// Calibrates the laparoscope from pairs of pictures of a board (stereo::picture_pairs: a folder; or with
-/// `right` two folders or patterns). Outliers are notes: "calibration.outlier NAME" was dropped,
-/// "calibration.proposed NAME" was not.
+/// Calibrates the laparoscope from pictures of a board. Outliers are notes: "calibration.outlier NAME" was
+/// dropped, "calibration.proposed NAME" was not.
 struct CalibrateRig {
   using Result = CalibrationSheet;
-  std::filesystem::path left, right;
-  stereo::Board board;
+  stereo::BoardSearch search;
   stereo::CalibrateOptions options;
-  /// The boards, where an earlier outcome or the caller (from a video) has them: they are not looked for.
+  /// Another calibration of the same scope (stereo::read_calibration_for), read into options.reference once
+  /// the pictures' size is known; empty: none.
+  std::filesystem::path reference = {};
+  /// The boards, where an earlier outcome has them: they are not looked for.
   std::shared_ptr<const stereo::BoardViews> found = {};
+  /// Called while the boards are looked for, where the command is done.
+  stereo::BoardTold told = {};
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
