@@ -189,8 +189,10 @@ void OperationTest::RegistrationWithThePriorIsTheBetterOne() {
   ElasticOptions options;
   options.r_surface = 3;
   const auto alone = register_elastic(model_, cloud, best, options, RunContext());
-  options.prior = std::make_shared<OperationPrior>(simulated(model_, 80, 1));
-  const auto with = register_elastic(model_, cloud, best, options, RunContext());
+  const auto prior = std::make_shared<const OperationPrior>(simulated(model_, 80, 1));
+  options.prior = prior;
+  const auto shapes = fit_shapes(model_, *prior, cloud, starts_of(best, {}), options.shape, RunContext());
+  const auto with = register_elastic(model_, cloud, *shapes, options, RunContext());
   const double error_alone = point_errors(alone->nodes_in_camera, truth).mean,
                error_with = point_errors(with->nodes_in_camera, truth).mean;
   qInfo("elasticity alone %.2f mm, with the prior %.2f mm (in-silico)", 1e3 * error_alone, 1e3 * error_with);

@@ -260,11 +260,8 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
                                            const RunContext& context) {
   options.validate();
   check_fixed_nodes(model, options);
-  if (!options.prior) return ElasticRun(model, model, cloud, start, options).run(context);
-  const auto shapes = fit_shapes(model, *options.prior, cloud, starts_of(start, options.other_starts),
-                                 options.shape, context.part(0.0, 0.4));
-  if (!shapes) return std::nullopt;
-  return register_elastic(model, cloud, *shapes, options, context.part(0.4, 1.0));
+  require(!options.prior, "with a prior the shapes are fitted first, and it goes on from them");
+  return ElasticRun(model, model, cloud, start, options).run(context);
 }
 
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,

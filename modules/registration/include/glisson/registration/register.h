@@ -77,9 +77,6 @@ struct ElasticOptions {
   /// free of stress: the loads that made it go on holding it.
   std::shared_ptr<const OperationPrior> prior;
   ShapeFitOptions shape;
-  /// With a prior: further poses from which the shape is fitted. The most probable shape of all is taken,
-  /// because a rigid fit of a bent organ may rank a wrong pose first.
-  std::vector<CameraFromCt> other_starts;
   /// @throws InputError naming the option.
   void validate() const;
 };
@@ -96,8 +93,8 @@ ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed 
 /// residual_large, inverted_elements, pull_not_at_rest (the most steps were done), mechanics_failed; with a
 /// prior shape_ambiguous (another shape, 10 mm away on average and more, is nearly as probable) and
 /// shape_unusual (an amplitude beyond four standard deviations).
-/// @throws InputError fewer than 10 points, not finite, hardly any of which meet the model from `start`;
-/// unusable options or mesh; fixed nodes out of range.
+/// @pre no options.prior. @throws InputError fewer than 10 points, not finite, hardly any of which meet the
+/// model from `start`; unusable options or mesh; fixed nodes out of range.
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context);
