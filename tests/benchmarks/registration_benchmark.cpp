@@ -14,14 +14,16 @@
 #include <memory>
 #include <optional>
 
+#include "elastic.h"
 #include "examine.h"
+#include "fit_contact_forces.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/registration/contact_forces.h"
 #include "glisson/registration/error_model.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/register_model.h"
 #include "lying_phantom.h"
+#include "rigid.h"
 #include "shape_fits.h"
 
 namespace {

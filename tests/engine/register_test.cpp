@@ -12,6 +12,7 @@
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 #include "phantom_case.h"
@@ -255,9 +256,10 @@ void RegisterTest::ABareMeshIsRegisteredAsWhatItIs() {
   said.method = registration::Method::paper;
   const Points silent = after(state, said)[part::registration]->nodes_in_camera;
   const PatientModel model = effective_model(state);
-  const auto alone = registration::register_elastic(model, *state[part::cloud], said.given,
-                                                    registration::options_for(model, false), RunContext());
-  QVERIFY(silent == alone->nodes_in_camera);
+  registration::RegisterOptions bare_law = said;
+  bare_law.elastic = registration::options_for(model, false);
+  const auto alone = registration::register_model(model, *state[part::cloud], bare_law, RunContext());
+  QVERIFY(silent == alone->registered.registration.nodes_in_camera);
   said.materials.emplace().with_capsule = false;
   QVERIFY(after(state, said)[part::registration]->nodes_in_camera == silent);
   said.materials.reset();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "elastic.h"
+
 #include <QTest>
 #include <algorithm>
 #include <cstdlib>
@@ -8,7 +10,6 @@
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
-#include "glisson/registration/register.h"
 #include "phantom.h"
 
 using namespace glisson;
@@ -206,7 +207,7 @@ void ElasticTest::ForeignDeformationIsRecovered() {
   ElasticOptions options = options_for(model);
   options.fixed_nodes = read_node_numbers(folder / "fixed_vertices.txt", model.mesh.vertex_count());
   const auto registration =
-      register_elastic(model, read_cloud(folder / "cloud_00.ply"), {}, options, RunContext());
+      register_elastic(model, read_cloud(folder / "cloud_00.ply"), CameraFromCt(), options, RunContext());
   const Points truth = read_node_list(folder / "truth_00.xyz", LengthUnit::millimetre);
   const double before = point_errors(model.mesh.vertices, truth).mean;
   const double after = point_errors(registration->nodes_in_camera, truth).mean;

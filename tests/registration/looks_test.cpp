@@ -5,6 +5,7 @@
 #include <QTest>
 #include <random>
 
+#include "fit_contact_forces.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/registration/error_model.h"

@@ -4,11 +4,11 @@
 #include <numbers>
 #include <random>
 
+#include "elastic.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/pairs.h"
-#include "glisson/registration/register.h"
 #include "lying_phantom.h"
 #include "shape_fits.h"
 

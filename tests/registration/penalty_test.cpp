@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "penalty.h"
+
 #include <Eigen/Eigenvalues>
 #include <QTest>
 #include <cmath>
@@ -6,7 +8,6 @@
 
 #include "glisson/core/error.h"
 #include "glisson/registration/pairs.h"
-#include "glisson/registration/register.h"
 #include "phantom.h"
 
 using namespace glisson;

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "elastic.h"
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/examined_registration.h"
 #include "phantom.h"
+#include "rigid.h"
 
 using namespace glisson;
 using namespace glisson::registration;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rigid.h"
+
 #include <QTest>
 #include <algorithm>
 #include <limits>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
-#include "glisson/registration/register.h"
 #include "phantom.h"
 
 using namespace glisson;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/contact_forces.h"
+#include "fit_contact_forces.h"
 
 #include <algorithm>
 #include <atomic>

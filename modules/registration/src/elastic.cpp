@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "elastic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -6,8 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/registration/pairs.h"
-#include "glisson/registration/register.h"
-#include "shape_fits.h"
+#include "penalty.h"
 
 namespace glisson::registration {
 namespace {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "fit_contact_forces.h"
 #include "force_fitter.h"
 #include "glisson/core/error.h"
 

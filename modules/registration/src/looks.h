@@ -6,8 +6,8 @@
 #include "glisson/core/run_context.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
-#include "glisson/registration/register.h"
-#include "glisson/registration/shape_fit.h"
+#include "rigid.h"
+#include "shape_fits.h"
 
 /// @file
 /// Several looks at one organ: clouds of a laparoscope that has moved, each in its own left camera's frame,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "examine.h"
+#include "rigid.h"
 #include "shape_fits.h"
 
 namespace glisson::registration {

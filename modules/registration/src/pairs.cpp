@@ -10,6 +10,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
+#include "penalty.h"
 
 namespace glisson::registration {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "penalty.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "glisson/core/error.h"
-#include "glisson/registration/register.h"
 
 namespace glisson::registration {
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit_contact_forces.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
+#include "elastic.h"
 #include "examine.h"
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
@@ -21,6 +20,7 @@
 #include "looks.h"
 #include "mirror_control.h"
 #include "register_by_forces.h"
+#include "rigid.h"
 #include "verdict.h"
 
 namespace glisson::registration {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rigid.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,6 @@
 #include "glisson/core/statistics.h"
 #include "glisson/registration/hand_pose.h"
 #include "glisson/registration/pairs.h"
-#include "glisson/registration/register.h"
 
 namespace glisson::registration {
 namespace {

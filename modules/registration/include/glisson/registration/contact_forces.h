@@ -123,12 +123,4 @@ struct ContactForceFit {
 /// @param elements of the model's mesh.
 bool is_beyond_tissue(const ContactForceFit& fit, int elements);
 
-/// @param start where the model's rest shape is before the camera; stays where nodes are fixed or it is
-/// known.
-/// @throws InputError fewer than 10 points, not finite, options, mesh, fixed nodes out of range;
-/// NumericalError when no law has an equilibrium.
-Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const LabelledCloud& cloud,
-                                                const CameraFromCt& start, const ContactForceOptions& options,
-                                                const RunContext& context);
-
 }  // namespace glisson::registration

@@ -22,15 +22,16 @@ class ForeignCloud : public NumericalError {
 /// but the place where closest points are sought. Not thread-safe.
 class ForceFollower {
  public:
-  /// @param start where the model's rest shape is before the camera; see fit_contact_forces.
-  /// @throws InputError as fit_contact_forces.
+  /// @param start where the model's rest shape is before the camera; stays where nodes are fixed or it is
+  /// known. @throws InputError options, mesh, fixed nodes out of range.
   ForceFollower(const PatientModel& model, const CameraFromCt& start, const ContactForceOptions& options);
   ~ForceFollower();
   ForceFollower(ForceFollower&&) noexcept;
   ForceFollower& operator=(ForceFollower&&) noexcept;
 
   /// The next cloud, in the camera's frame. After a failure the next one is followed from the last that
-  /// succeeded. @throws InputError, NumericalError as fit_contact_forces; ForeignCloud.
+  /// succeeded. @throws InputError fewer than 10 points, not finite; NumericalError when no law has an
+  /// equilibrium; ForeignCloud.
   Cancellable<ContactForceFit> follow(const LabelledCloud& cloud, const RunContext& context);
 
   /// The next cloud is followed from where the organ was before the last one, as if that had not been.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "glisson/core/run_context.h"
@@ -11,6 +9,7 @@
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/operation_prior.h"
 #include "glisson/registration/shape_fit.h"
 
 namespace glisson::registration {
@@ -23,28 +22,6 @@ struct RigidOptions {
   /// @throws InputError naming the option.
   void validate() const;
 };
-/// Where the model is before it is bent: CT frame to the left camera's, metres.
-struct RigidStart {
-  CameraFromCt camera_from_ct;
-  double residual = 0.0;  ///< metres: trimmed mean distance of the cloud from the model
-  /// Other poses that fit well, 10 mm and more from the start and from each other, the better first, four at
-  /// most (and the one that was set by hand).
-  std::vector<CameraFromCt> alternatives;
-  std::vector<std::string> doubts;  ///< codes with values, see align_rigid
-};
-/// Rigid alignment from the labelled features, robust to a partial view and a wrong start: seeded starts,
-/// trimmed label-restricted ICP, the better ones refined and judged along the camera's rays too. The camera
-/// is at the origin of the cloud's frame. Doubts: few_margin_points, no_notch, rigid_residual_large,
-/// rigid_ambiguous (another pose, 20 mm away on average and more, fits nearly as well).
-/// @throws InputError fewer than 10 points, not finite, options out of range.
-Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
-                                    const RigidOptions& options, const RunContext& context);
-/// The same from about a pose that a person has set: starts are drawn around it (15 degrees and 10 mm about
-/// each axis, one deviation). That pose itself is one more alternative, should the cloud draw the model
-/// elsewhere.
-Cancellable<RigidStart> align_rigid_near(const PatientModel& model, const LabelledCloud& cloud,
-                                         const CameraFromCt& near, const RigidOptions& options,
-                                         const RunContext& context);
 
 /// How eq. 14 is read; see "Method" in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan
 /// x: a spring at contact, saturating far away. `clamped`: the printed magnitude where it attracts, zero
@@ -73,8 +50,8 @@ struct ElasticOptions {
   std::vector<int> fixed_nodes;  ///< stay where the rigid start puts them
   fem::CompositeOptions materials;
   /// What operations do to this patient's liver. Null: the paper's method, elasticity alone. With a prior,
-  /// pose and shape are fitted first (fit_shape), and the elastic stages start from that shape as one that is
-  /// free of stress: the loads that made it go on holding it.
+  /// pose and shape are fitted first, and the elastic stages start from that shape as one that is free of
+  /// stress: the loads that made it go on holding it.
   std::shared_ptr<const OperationPrior> prior;
   ShapeFitOptions shape;
   /// @throws InputError naming the option.
@@ -86,27 +63,9 @@ struct ElasticOptions {
 /// the paper's schedule without the final stiffening, its springs isotropic.
 ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed = true);
 
-/// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as the README corrects them): label-restricted
-/// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.
-/// Registration::residual is the mean over the pairs kept (outliers excluded).
-/// Doubts: few_margin_points, no_notch, little_surface_seen (under a fifth of the model's), many_outliers,
-/// residual_large, inverted_elements, pull_not_at_rest (the most steps were done), mechanics_failed; with a
-/// prior shape_ambiguous (another shape, 10 mm away on average and more, is nearly as probable) and
-/// shape_unusual (an amplitude beyond four standard deviations).
-/// @pre no options.prior. @throws InputError fewer than 10 points, not finite, hardly any of which meet the
-/// model from `start`; unusable options or mesh; fixed nodes out of range.
-Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
-                                           const CameraFromCt& start, const ElasticOptions& options,
-                                           const RunContext& context);
-
 /// A model whose rest shape is `nodes`: its tetrahedra, and the vessels bound to them. It stands for an organ
 /// that is held there by the loads that brought it there. Constant nodal forces could hold it as well, but
 /// would not turn with it and would tip it over. @param nodes N x 3, metres, any one frame.
 PatientModel moved_to(const PatientModel& model, const Points& nodes);
-
-/// Eq. 15. @param n plateau index. @pre r > 0, n >= 0.
-double stiffness_at_plateau(double k_min, double k_max, int r, int n);
-/// Eq. 14's force over k at distance d, metres, positive towards the cloud. @pre s > 0, d >= 0.
-double penalty_force(PenaltyForm form, double s, double d);
 
 }  // namespace glisson::registration

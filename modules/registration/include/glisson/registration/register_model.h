@@ -24,8 +24,8 @@ enum class Method {
   /// Forces: together with the operations' modes where those are known, and for a bare mesh (no vessels, no
   /// vena cava) of which nodes are fixed. Else springs.
   automatic,
-  forces,   ///< fit_contact_forces
-  springs,  ///< register_elastic, with operations before it where they are asked for
+  forces,   ///< contact forces (contact_forces.h)
+  springs,  ///< of eq. 14 and 15 (elastic.h), with operations before them where they are asked for
   paper     ///< the paper's: springs, and elasticity alone (no operations)
 };
 /// For the command line.
@@ -45,11 +45,11 @@ ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions&
 struct RegisterOptions {
   Method method = Method::automatic;
   enum class Start {
-    automatic,  ///< align_rigid
+    automatic,  ///< sought from everywhere (rigid.h)
     /// The model is in the cloud's frame already. Nobody says that a camera stood in its origin: what can be
     /// judged only by where it stood is not.
     none,
-    near,  ///< align_rigid_near: from where a hand has put the model, say
+    near,  ///< sought from about a pose: from where a hand has put the model, say
     given  ///< as it is
   };
   Start start = Start::automatic;
@@ -118,14 +118,15 @@ struct ExaminedRegistration;  // examined_registration.h
 /// cloud is left out (sound_cloud(); zeros unless the cloud is in the model's frame). The same seed gives the
 /// same bits.
 ///
-/// Doubts of the forces: little_surface_seen, many_outliers, residual_large; inverted_elements, with
-/// operations those of the shape itself, without them any (but under the linear law, which knows of none,
-/// only where no tissue is so, is_beyond_tissue()); law_ambiguous (another law puts the nodes 5 mm away on
-/// average and is nearly as probable); forces_not_at_rest; with operations forces_many (how many tools act,
-/// the limit).
+/// Doubts of the rigid start and of the springs stand in rigid.h and elastic.h. Of the forces:
+/// little_surface_seen, many_outliers, residual_large; inverted_elements, with operations those of the shape
+/// itself, without them any (but under the linear law, which knows of none, only where no tissue is so,
+/// is_beyond_tissue()); law_ambiguous (another law puts the nodes 5 mm away on average and is nearly as
+/// probable); forces_not_at_rest; with operations forces_many (how many tools act, the limit).
 /// @param known taken where its options are those of `options`; operations are not simulated again.
-/// @throws InputError as align_rigid, simulate_operations, register_elastic; fewer than 10 points of the
-///   surface. NumericalError as simulate_operations.
+/// @throws InputError as simulate_operations; options; an unusable mesh; fixed nodes out of range; fewer than
+///   10 points of the surface, not finite, hardly any of which meet the model from a start that is given.
+///   NumericalError as simulate_operations.
 Cancellable<ExaminedRegistration> register_model(const PatientModel& model, const LabelledCloud& cloud,
                                                  const RegisterOptions& options, const RunContext& context,
                                                  const KnownOperations& known = {});
