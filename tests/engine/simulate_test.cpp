@@ -22,6 +22,7 @@ class SimulateTest : public QObject {
  private slots:
   void WrittenStepsHoldDisplacementAndVonMisesStress();
   void TheTissueIsThatOfTheCase();
+  void ASolveThatEndsEarlyIsTold();
 };
 
 namespace {
@@ -112,6 +113,22 @@ void SimulateTest::TheTissueIsThatOfTheCase() {
   command.law = fem::TetrahedronLaw::neo_hookean;
   const double other_law = moved_mm({});
   QVERIFY(other_law > 0.0 && std::abs(other_law - stiffened) < 0.2 * stiffened);
+}
+
+void SimulateTest::ASolveThatEndsEarlyIsTold() {
+  const TemporaryFolder folder;
+  Engine engine(patients_options());
+  engine.wait(engine.post(ImportMesh{}));
+  Simulate command = turned(engine.snapshot()->state, folder.path());
+  command.options.static_solve = true;
+  for (const int iterations : {1, 300}) {
+    command.options.max_iterations = iterations;
+    const Outcome outcome = engine.wait(engine.post(command));
+    QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
+    const bool is_at_rest = iterations > 1;
+    QCOMPARE(outcome.figures.at("simulation_converged"), is_at_rest ? 1.0 : 0.0);
+    QCOMPARE(outcome.notes.empty(), is_at_rest);
+  }
 }
 
 QTEST_APPLESS_MAIN(SimulateTest)

@@ -189,7 +189,7 @@ class LoadsTest : public QObject {
     SimulationOptions options;
     options.static_solve = true;
     const auto result = simulate(model, load, options, RunContext());
-    QVERIFY(result && result->converged);
+    QVERIFY(result && result->termination == Termination::converged);
     QVERIFY(result->records.front().force_residual < 1e-8);
     const double expected = 0.01 * 0.05 / (3500.0 * 0.02 * 0.02);
     double moved = 0.0;
@@ -209,7 +209,7 @@ class LoadsTest : public QObject {
     SimulationOptions options;
     options.static_solve = true;
     const auto at_once = simulate(model, load, options, RunContext());
-    QVERIFY(at_once && at_once->converged);
+    QVERIFY(at_once && at_once->termination == Termination::converged);
     double pull = 0.0;
     const Points force = model->internal_force(at_once->positions);
     for (const int node : end) {
@@ -238,7 +238,7 @@ class LoadsTest : public QObject {
     SimulationOptions options;
     options.static_solve = true;
     const auto result = simulate(model, load, options, RunContext());
-    QVERIFY(result && result->converged);
+    QVERIFY(result && result->termination == Termination::converged);
     const Points gone = model->mesh().vertices.rowwise() + Eigen::RowVector3d(3e-3, -2e-3, 4e-3);
     QVERIFY((result->positions - gone).cwiseAbs().maxCoeff() < 1e-9);
     QVERIFY(result->records.front().force_residual < 1e-8);

@@ -57,7 +57,7 @@ Cancellable<SimulationResult> simulate_static(
   record.force_residual = solution->residual;
   record.inverted_tetrahedra = inverted_tetrahedra(model, solution->positions);
   if (on_step) on_step(record, solution->positions);
-  return SimulationResult{{record}, std::move(solution->positions), solution->converged()};
+  return SimulationResult{{record}, std::move(solution->positions), solution->termination};
 }
 
 }  // namespace

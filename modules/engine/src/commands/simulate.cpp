@@ -48,7 +48,7 @@ Figures figures_of(const fem::CompositeModel& model, const fem::SimulationResult
   Figures figures;
   const fem::SimulationRecord& last = result.records.back();
   figures["simulation_steps"] = static_cast<double>(result.records.size());
-  figures["simulation_converged"] = result.converged ? 1.0 : 0.0;
+  figures["simulation_converged"] = result.termination == Termination::converged ? 1.0 : 0.0;
   figures["simulation_force_residual"] = last.force_residual;
   figures["simulation_solver_residual"] = last.solver_residual;
   figures["simulation_elastic_energy_j"] = last.elastic_energy;
@@ -97,7 +97,7 @@ Cancellable<Applied> Simulate::apply(const CaseState& state, const RunContext& c
   if (!result || result->records.empty()) return {};
   write_end(*this, *model, *result);
   Applied applied{state, figures_of(*model, *result, peak)};
-  if (!result->converged) applied.notes.emplace_back("simulation_not_converged");
+  if (result->termination != Termination::converged) applied.notes.emplace_back("simulation_not_converged");
   return applied;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glisson/core/run_context.h"
+#include "glisson/core/termination.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/fem/loads_io.h"
 
@@ -44,8 +45,8 @@ struct SimulationRecord {
 struct SimulationResult {
   std::vector<SimulationRecord> records;
   Points positions;  ///< of the nodes at the end, metres, the model's frame
-  /// Static: whether the tolerance was reached. Dynamic: whether every step succeeded.
-  bool converged = true;
+  /// Of the static solve; a dynamic run that comes to its end has converged in every step.
+  Termination termination = Termination::converged;
 };
 
 /// Runs a load on a model from its rest shape.
