@@ -6227,6 +6227,10 @@
         <translation>Gefäßknoten knapp außerhalb des Netzes, an seine Oberfläche gebunden: %1.</translation>
     </message>
     <message>
+        <source>%1 of the %2 beams along the vessels lie outside the mesh and stiffen nothing: check whether vessels and liver belong together.</source>
+        <translation>%1 der %2 Balken entlang der Gefäße liegen außerhalb des Netzes und versteifen nichts: Prüfen Sie, ob Gefäße und Leber zusammengehören.</translation>
+    </message>
+    <message>
         <source>%1 lies outside the liver and was left out.</source>
         <translation>%1 liegt außerhalb der Leber und wurde weggelassen.</translation>
     </message>

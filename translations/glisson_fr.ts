@@ -6227,6 +6227,10 @@
         <translation>Nœuds de vaisseaux juste hors du maillage, liés à sa surface : %1.</translation>
     </message>
     <message>
+        <source>%1 of the %2 beams along the vessels lie outside the mesh and stiffen nothing: check whether vessels and liver belong together.</source>
+        <translation>%1 des %2 poutres le long des vaisseaux sont hors du maillage et ne rigidifient rien : vérifiez si les vaisseaux et le foie vont ensemble.</translation>
+    </message>
+    <message>
         <source>%1 lies outside the liver and was left out.</source>
         <translation>%1 se trouve hors du foie et a été écarté.</translation>
     </message>

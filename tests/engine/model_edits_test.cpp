@@ -4,6 +4,8 @@
 #include "runners.h"
 #include "trial_patient.h"
 
+#include <algorithm>
+
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/check_model.h"
 #include "glisson/engine/commands/edit_labels.h"
@@ -59,6 +61,7 @@ class ModelEditsTest : public QObject {
   void AnImpossibleEditLeavesTheModel();
   void AnotherModelIsNotChecked_data() { test::both_runners(); }
   void AnotherModelIsNotChecked();
+  void VesselsOutsideOfTheMeshAreTold();
   void LabelsThatNobodyApprovedAreNamed();
   void WithoutAModelThereIsNothingToEditOrCheck();
 };
@@ -171,6 +174,28 @@ void ModelEditsTest::AnotherModelIsNotChecked() {
   engine.wait(engine.post(CheckModel{{true}}));
   engine.wait(engine.post(ImportMesh{}));
   QVERIFY(!is_model_checked(engine.snapshot()->state));
+}
+
+/// The root's setting goes through the same door as a model that was built.
+void ModelEditsTest::VesselsOutsideOfTheMeshAreTold() {
+  for (const double off : {0.0, 0.07}) {  // metres, along a vessel of 100 mm
+    auto moved = std::make_shared<model::BuiltModel>(*patient());
+    moved->model.vessels.at(0).nodes.col(0).array() += off;
+    CaseState state;
+    state[part::model] = moved;
+    const Eigen::Vector3d end = moved->model.vessels.at(0).nodes.bottomRows(1).transpose();
+    const auto told = apply(state, Command(EditTrees{{root_at(end)}}), RunContext());
+    const bool is_off = off > 0.0;
+    QCOMPARE(told->figures.at("model_beams_outside") > 0.0, is_off);
+    QCOMPARE(told->figures.at("model_vessel_nodes_outside") > 0.0, is_off);
+    const auto is_note = [](const std::string& note) { return note.starts_with("vessels.beams_outside "); };
+    QCOMPARE(std::ranges::count_if(told->notes, is_note), is_off ? 1 : 0);
+    // It is said of the trees as they are.
+    const auto again = apply(told->state, Command(EditTrees{}), RunContext());
+    QCOMPARE(std::ranges::count_if(again->notes, is_note), is_off ? 1 : 0);
+    const auto& kept = again->state[part::model]->report.notes;
+    QCOMPARE(std::ranges::count_if(kept, is_note), is_off ? 1 : 0);
+  }
 }
 
 void ModelEditsTest::LabelsThatNobodyApprovedAreNamed() {

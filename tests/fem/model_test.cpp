@@ -123,7 +123,7 @@ class ModelTest : public QObject {
     options.with_vessels = true;
     const VesselTree vessel = straight_vessel({0.0, 0.011, 0.009}, {0.08, 0.011, 0.009}, 13, 0.003);
     const CompositeModel model(mesh, {vessel}, options);
-    QCOMPARE(model.vessel_nodes_outside(), 0);
+    QCOMPARE(bound_vessels(mesh, {vessel}).nodes_outside, 0);
     QCOMPARE(model.beam_count(), 13);
     const double axial = BeamSection::hollow(0.003, 0.0003, options.vessel_wall).axial;
     const double mixture = 3500.0 * 4e-4 + axial;
@@ -240,9 +240,11 @@ class ModelTest : public QObject {
     // Nodes at -10, -5, 0, 5, 10, 15, 20, 25 mm; outside by 10, 5 and 5.
     const VesselTree vessel = straight_vessel({-0.01, 0.0101, 0.0103}, {0.025, 0.0101, 0.0103}, 7, 0.001);
     const CompositeModel model(mesh, {vessel}, {});
-    QCOMPARE(model.vessel_nodes_outside(), 3);
+    const BoundVessels bound = bound_vessels(mesh, {vessel});
+    QCOMPARE(bound.nodes_outside, 3);
     // -10 to -5 lies outside; -5 to 0 and 20 to 25 shrink to a point on the surface once clamped.
-    QCOMPARE(model.vessel_beams_dropped(), 3);
+    QCOMPARE(bound.beams_dropped, 3);
+    QCOMPARE(bound.beams, 4);
     QCOMPARE(model.beam_count(), 4);
     QVERIFY(model.internal_force(mesh.vertices).cwiseAbs().maxCoeff() < 1e-12);
   }

@@ -126,8 +126,6 @@ const TetMesh& CompositeModel::mesh() const { return impl_->mesh; }
 const BoundarySurface& CompositeModel::surface() const { return impl_->surface; }
 const CompositeOptions& CompositeModel::options() const { return impl_->options; }
 const Eigen::VectorXd& CompositeModel::lumped_mass() const { return impl_->lumped_mass; }
-int CompositeModel::vessel_nodes_outside() const { return impl_->vessels.nodes_outside; }
-int CompositeModel::vessel_beams_dropped() const { return impl_->vessels.beams_dropped; }
 
 Points CompositeModel::mass_times(const Points& per_node) const {
   require(per_node.rows() == node_count(), "a product with the mass takes one row a node of the model");

@@ -89,6 +89,11 @@ VesselBeams bind_vessels(const TetMesh& mesh, const std::vector<VesselTree>& ves
   return result;
 }
 
+BoundVessels bound_vessels(const TetMesh& mesh, const std::vector<VesselTree>& vessels) {
+  const VesselBeams bound = bind_vessels(mesh, vessels, {});
+  return {static_cast<int>(bound.beams.size()), bound.beams_dropped, bound.nodes_outside};
+}
+
 BoundState bound_state(const BoundNode& node, const Tetrahedron& element, const Points& x, bool with_turn) {
   BoundState bound;
   for (int i = 0; i < 4; ++i)

@@ -102,6 +102,9 @@ class Notes {
         {"label.to_review", tr("%1: the label is still to be reviewed.")},
         {"vessels.beams", tr("Beams that stiffen the model along the vessels: %1.")},
         {"vessels.nodes_outside_mesh", tr("Vessel nodes just outside the mesh, tied to its surface: %1.")},
+        {"vessels.beams_outside",
+         tr("%1 of the %2 beams along the vessels lie outside the mesh and stiffen nothing: check whether "
+            "vessels and liver belong together.")},
         {"vessels.outside_liver", tr("%1 lies outside the liver and was left out.")},
         {"vessels.open_surface",
          tr("%1: its surface has holes, or triangles that face the wrong way. For the vessel model each hole "

@@ -91,10 +91,6 @@ class CompositeModel {
   const Eigen::VectorXd& lumped_mass() const;  ///< kg, one a node (the row sums of the consistent mass, too)
   /// The mass matrix times one vector a node (velocities give momenta).
   Points mass_times(const Points& per_node) const;
-  /// Vessel nodes that lay outside the mesh and were bound to the closest tetrahedron.
-  int vessel_nodes_outside() const;
-  /// Beams left out: both ends further outside than their radius, or without length once bound.
-  int vessel_beams_dropped() const;
 
   /// Elastic energy at node positions x, joules.
   double energy(const Points& x) const;
@@ -109,5 +105,14 @@ class CompositeModel {
  private:
   std::unique_ptr<Impl> impl_;
 };
+
+/// What of a patient's vessels a CompositeModel takes.
+struct BoundVessels {
+  int beams = 0;          ///< that stiffen the mesh
+  int beams_dropped = 0;  ///< both ends further outside than their radius, or without length once bound
+  int nodes_outside = 0;  ///< that lie outside the mesh and are bound to the closest tetrahedron
+};
+/// @throws InputError a vessel that is no tree of the nodes it has.
+BoundVessels bound_vessels(const TetMesh& mesh, const std::vector<VesselTree>& vessels);
 
 }  // namespace glisson::fem
