@@ -8,7 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
+#include "picture_pairs.h"
 #include "real_data.h"
 #include "rendered_board.h"
 #include "rendered_pair.h"

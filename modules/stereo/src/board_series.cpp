@@ -6,8 +6,8 @@
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/picture_reader.h"
+#include "picture_pairs.h"
 
 namespace glisson::stereo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/stereo/picture_pairs.h"
+#include "picture_pairs.h"
 
 #include <algorithm>
 #include <cctype>

@@ -7,12 +7,12 @@
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/reach.h"
 #include "glisson/stereo/source.h"
 #include "igtl_views.h"
 #include "picture_cv.h"
+#include "picture_pairs.h"
 #include "size_text.h"
 #include "stream_views.h"
 #include "streams.h"

@@ -12,8 +12,9 @@ namespace glisson::stereo {
 
 /// Which pictures are looked through for which board.
 struct BoardSearch {
-  /// A folder of pairs, or with `right` two folders or patterns (picture_pairs); of a video both views side
-  /// by side, or with `right` the left one.
+  /// A folder of pairs (subfolders "left" and "right", or names that differ in the side only), or with
+  /// `right` two folders or patterns ("a/left-*.png"); of a video both views side by side, or with `right`
+  /// the left one.
   std::filesystem::path left, right;
   bool is_video = false;
   Board board;
@@ -34,8 +35,8 @@ struct BoardTold {
 /// Looks for the board in every pair, or in some 60 frames, spread over the video (of one without a known
 /// length: a look a second). Pairs are named by what their files share, frames "frame N". Progress
 /// "calibrate.find_board"; about 2 s for a pair at 1920x1080.
-/// @throws InputError the search; FileError, InputError as picture_pairs, read_picture, StereoVideo and
-/// BoardViews::add.
+/// @throws InputError the search, no pair of pictures; FileError no such pictures; both as read_picture,
+/// StereoVideo and BoardViews::add.
 Cancellable<BoardViews> find_views(const BoardSearch& search, const RunContext& context,
                                    const BoardTold& told = {});
 
