@@ -6219,8 +6219,8 @@
         <translation>%1: getrennte Bäume im Modell: %2.</translation>
     </message>
     <message>
-        <source>Beams that stiffen the model along the vessels: %1.</source>
-        <translation>Balken, die das Modell entlang der Gefäße versteifen: %1.</translation>
+        <source>Beams along the vessels: %1.</source>
+        <translation>Balken entlang der Gefäße: %1.</translation>
     </message>
     <message>
         <source>Vessel nodes just outside the mesh, tied to its surface: %1.</source>

@@ -6219,8 +6219,8 @@
         <translation>%1 : arbres séparés dans le modèle : %2.</translation>
     </message>
     <message>
-        <source>Beams that stiffen the model along the vessels: %1.</source>
-        <translation>Poutres qui raidissent le modèle le long des vaisseaux : %1.</translation>
+        <source>Beams along the vessels: %1.</source>
+        <translation>Poutres le long des vaisseaux : %1.</translation>
     </message>
     <message>
         <source>Vessel nodes just outside the mesh, tied to its surface: %1.</source>

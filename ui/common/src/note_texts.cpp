@@ -100,7 +100,7 @@ class Notes {
         {"label.not_started", tr("%1: the label has not been reviewed.")},
         {"label.in_progress", tr("%1: the label's review is in progress.")},
         {"label.to_review", tr("%1: the label is still to be reviewed.")},
-        {"vessels.beams", tr("Beams that stiffen the model along the vessels: %1.")},
+        {"vessels.beams", tr("Beams along the vessels: %1.")},
         {"vessels.nodes_outside_mesh", tr("Vessel nodes just outside the mesh, tied to its surface: %1.")},
         {"vessels.beams_outside",
          tr("%1 of the %2 beams along the vessels lie outside the mesh and stiffen nothing: check whether "
