@@ -23,11 +23,16 @@ void LabelImport::start(const std::filesystem::path& path) {
   looking_.give_instead(path);
 }
 
-Cancellable<FoundLabels> LabelImport::look(const std::filesystem::path& path, const RunContext&) {
+Cancellable<FoundLabels> LabelImport::look(const std::filesystem::path& path, const RunContext& context) {
   try {
-    if (!has_dicom_mark(path)) return found_labels(read_labels(path), false);
-    const DicomLabels labels = read_dicom_labels(path);
-    return found_labels(labels.file, labels.own);
+    if (has_dicom_mark(path)) {
+      const auto labels = read_dicom_labels(path, context);
+      if (!labels) return std::nullopt;
+      return found_labels(labels->file, labels->own);
+    }
+    const auto file = read_labels(path, context);
+    if (!file) return std::nullopt;
+    return found_labels(*file, false);
   } catch (const std::exception&) {
     return FoundLabels();  // the command says what is wrong with it
   }

@@ -21,6 +21,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/being_made.h"
 #include "glisson/ui/common/error_texts.h"
