@@ -175,6 +175,13 @@ class Program {
     return process;
   }
 
+  static Ran end_of(QProcess& process) {
+    if (process.state() != QProcess::NotRunning && !process.waitForFinished(-1)) return {};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
+            QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+  }
+
  private:
   /// Whether one of its threads has started another program.
   static bool has_helper(qint64 process) {
@@ -193,12 +200,6 @@ class Program {
           return true;
     }
     return false;
-  }
-  static Ran end_of(QProcess& process) {
-    if (process.state() != QProcess::NotRunning && !process.waitForFinished(-1)) return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
-            QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
   }
   /// Linux tells for each process which signals it has a handler for.
   static bool catches_interrupts(qint64 process) {

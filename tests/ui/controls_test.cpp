@@ -143,7 +143,7 @@ void ControlsTest::ACommaIsADecimalPoint() {
   QVERIFY(looked_at > 5);
   auto* square = calibration.findChild<QDoubleSpinBox*>(QStringLiteral("board_square"));
   QCOMPARE(typed(*square, QStringLiteral("2,5")), 2.5);
-  QCOMPARE(calibration.command().board.square, 2.5e-3);
+  QCOMPARE(calibration.command().search.board.square, 2.5e-3);
   QCOMPARE(square->text(), QStringLiteral("2.500 mm"));
 }
 
