@@ -191,7 +191,7 @@ void CoreTest::NoFileIsReadBeyondItsBound() {
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "a", std::string(2000, 'a'));
   QCOMPARE(read_file(folder.path() / "a", 2000).size(), std::size_t{2000});
-  const std::string told = test::complaint([&] { (void)read_file(folder.path() / "a", 1999); });
+  const std::string told = test::complaint<FileError>([&] { (void)read_file(folder.path() / "a", 1999); });
   QVERIFY2(told.find("larger than such a file can be") != std::string::npos, told.c_str());
 }
 

@@ -80,10 +80,6 @@ Panel::Panel(EngineBridge& engine, const QString& title, const QString& purpose,
   layout->addLayout(head);
   purpose_ = new QStackedLayout;
   purpose_->addWidget(make_explanation(purpose, this));
-  attention_ = new QPushButton(this);
-  attention_->setProperty("role", "attention");
-  attention_->setObjectName(QStringLiteral("attention"));
-  purpose_->addWidget(attention_);
   layout->addLayout(purpose_);
   content_ = new QVBoxLayout;
   content_->setSpacing(8);
@@ -93,9 +89,17 @@ Panel::Panel(EngineBridge& engine, const QString& title, const QString& purpose,
   connect(&engine_, &EngineBridge::tasks_changed, this, &Panel::update_step_state);
 }
 
-void Panel::call_attention(const QString& text, const QString& tip) {
-  attention_->setText(text);
+QPushButton* Panel::add_attention(const QString& tip) {
+  attention_ = new QPushButton(this);
+  attention_->setProperty("role", "attention");
+  attention_->setObjectName(QStringLiteral("attention"));
   attention_->setToolTip(tip);
+  purpose_->addWidget(attention_);
+  return attention_;
+}
+
+void Panel::call_attention(const QString& text) {
+  attention_->setText(text);
   purpose_->setCurrentIndex(text.isEmpty() ? 0 : 1);
 }
 

@@ -52,9 +52,10 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   content()->addWidget(edit_);
   show_offer();
   show_editing(false);
-  show_notes();
+  connect(add_attention(tr("Shows what is told of this segmentation")), &QPushButton::clicked, this,
+          &SegmentationPanel::go_to_notes);
   connect(&seeds_->notes(), &NotesBox::changed, this, &SegmentationPanel::show_notes);
-  connect(attention(), &QPushButton::clicked, this, &SegmentationPanel::go_to_notes);
+  show_notes();
   connect(offer_, &OfferBox::changed, this, &SegmentationPanel::show_offer);
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] {
@@ -130,8 +131,7 @@ void SegmentationPanel::show_offer() {
 
 void SegmentationPanel::show_notes() {
   const std::size_t notes = seeds_->notes().count();
-  call_attention(notes > 0 ? tr("Notes to read: %1").arg(notes) : QString(),
-                 tr("Shows what is told of this segmentation"));
+  call_attention(notes > 0 ? tr("Notes to read: %1").arg(notes) : QString());
 }
 
 void SegmentationPanel::go_to_notes() {

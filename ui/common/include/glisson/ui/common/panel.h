@@ -50,10 +50,11 @@ class Panel : public QWidget {
   /// the part waits or runs. @param is_open whether a person has yet to look at what is current.
   void watch(engine::Part part, std::function<bool(const engine::CaseState&)> is_open = {});
   EngineBridge& engine() const { return engine_; }
-  /// A button in place of the line on the panel's purpose while a person has something to read that may lie
-  /// below what is in sight; nothing moves by it. Empty text: the purpose again.
-  void call_attention(const QString& text, const QString& tip = {});
-  QPushButton* attention() const { return attention_; }
+  /// A button in place of the line on the panel's purpose, while a person has something to read that may lie
+  /// below what is in sight; nothing moves by it. Its text is given by call_attention().
+  QPushButton* add_attention(const QString& tip);
+  /// Empty: the purpose again. @pre add_attention()
+  void call_attention(const QString& text);
 
  private:
   void update_step_state();
@@ -63,7 +64,7 @@ class Panel : public QWidget {
   QVBoxLayout* content_;
   QLabel* chip_;
   QStackedLayout* purpose_;  ///< or what calls for attention
-  QPushButton* attention_;
+  QPushButton* attention_ = nullptr;
   std::optional<engine::Part> part_;
   std::function<bool(const engine::CaseState&)> is_open_;
   StepState step_state_ = StepState::waiting;
