@@ -162,7 +162,9 @@ void CaseReachTest::PipesAreNotWaitedFor() {
 void CaseReachTest::TheListOfACaseIsItsOwn() {
   const fs::path path = write_case(nlohmann::json::object());
   const fs::path list = path / "case.json";
-  const auto told = [&] { return test::complaint<Error>([&] { (void)Script(RunContext()).run(OpenCase{path}); }); };
+  const auto told = [&] {
+    return test::complaint<Error>([&] { (void)Script(RunContext()).run(OpenCase{path}); });
+  };
   fs::rename(list, folder_->path() / "elsewhere.json");
   fs::create_symlink("../elsewhere.json", list);
   QVERIFY2(told().find("leads out of the case") != std::string::npos, told().c_str());
