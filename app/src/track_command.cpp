@@ -207,10 +207,6 @@ void require_source(const Arguments& arguments) {
 void start_tracking(const Arguments& arguments, Session& session, LengthUnit unit) {
   session.call("start", arguments.required_path("start").string());
   say_stiffness(arguments, session);
-  if (arguments.has("cloud")) {
-    session.call("cloud", arguments.path("cloud").string());
-    session.post(engine::ImportCloud{arguments.path("cloud"), cloud_unit(arguments, unit)});
-  }
   session.post(engine::ImportRegistration{arguments.required_path("start"), unit});
   engine::StartTracking command;
   command.materials = given_materials(arguments);
@@ -223,7 +219,12 @@ void start_tracking(const Arguments& arguments, Session& session, LengthUnit uni
     const fs::path calibration = arguments.required_path("calibration");
     session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
     session.post(engine::LoadVideoFrame{0, arguments.path("mask")});
-    session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
+    session.post(
+        engine::SetCalibration{calibration});  // after the video: its size and its crop are that one's
+    if (arguments.has("cloud")) {              // in the frame of this picture and calibration
+      session.call("cloud", arguments.path("cloud").string());
+      session.post(engine::ImportCloud{arguments.path("cloud"), cloud_unit(arguments, unit)});
+    }
     command.mask = {arguments.path("mask-network"), arguments.integer("mask-every", 1, 1000)};
   }
   session.post(command);
