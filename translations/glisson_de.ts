@@ -5176,6 +5176,10 @@
         <translation>sind quer zu ihrer Normalen gegeneinander verschoben</translation>
     </message>
     <message>
+        <source>of one segment lie twice in one slice</source>
+        <translation>eines Segments liegen zweimal in einer Schicht</translation>
+    </message>
+    <message>
         <source>claims more pixels than a segmentation can mean</source>
         <translation>behauptet mehr Pixel, als eine Segmentierung meinen kann</translation>
     </message>

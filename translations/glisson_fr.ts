@@ -5176,6 +5176,10 @@
         <translation>sont décalées l’une par rapport à l’autre en travers de leur normale</translation>
     </message>
     <message>
+        <source>of one segment lie twice in one slice</source>
+        <translation>d’un segment se trouvent deux fois dans une coupe</translation>
+    </message>
+    <message>
         <source>claims more pixels than a segmentation can mean</source>
         <translation>annonce plus de pixels que n’en peut avoir une segmentation</translation>
     </message>

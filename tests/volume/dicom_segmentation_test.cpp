@@ -91,6 +91,7 @@ class DicomSegmentationTest : public QObject {
   void SeriesSayWhoseTheyAre();
   void SlicesOfTwoPatientsAreRefused();
   void OtherObjectsAreRefused();
+  void AFrameThatLiesOnAnotherIsRefused();
   void DamagedFilesAreRefusedOrRead();
   void NoLabelsAreNotWritten();
 
@@ -319,6 +320,22 @@ void DicomSegmentationTest::OtherObjectsAreRefused() {
   QVERIFY(kind != std::string::npos);
   write_file_atomically(at("b.dcm"), bytes.replace(kind, 6, "SHADES"));
   QVERIFY(refusal_of(at("b.dcm")).contains("SegmentationType (0062|0001)"));
+}
+
+/// One digit of its place is enough: its slice would be empty, and the other one would be painted over.
+void DicomSegmentationTest::AFrameThatLiesOnAnotherIsRefused() {
+  VolumeGrid grid;
+  grid.size = {4, 3, 3};
+  grid.spacing_mm = {2.0, 2.0, 2.0};
+  grid.origin_mm = {0.0, 0.0, 10.0};
+  write_dicom_labels(at("a.dcm"), LabelVolume(grid, std::vector<Label>(36, Label{1})), {}, {});
+  QCOMPARE(refusal_of(at("a.dcm")), QString());
+  std::string bytes = read_file(at("a.dcm"));
+  const std::size_t second = bytes.find("0\\0\\12");
+  QVERIFY(second != std::string::npos);
+  bytes[second + 5] = '0';
+  write_file_atomically(at("b.dcm"), bytes);
+  QVERIFY2(refusal_of(at("b.dcm")).contains("twice in one slice"), qPrintable(refusal_of(at("b.dcm"))));
 }
 
 void DicomSegmentationTest::DamagedFilesAreRefusedOrRead() {

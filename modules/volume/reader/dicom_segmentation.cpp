@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "claim.h"
 #include "dicom_objects.h"
@@ -316,6 +318,7 @@ class Object {
              "Resample the segmentation to the CT's grid");
     int last = 0;
     double far = 0.0;
+    std::set<std::pair<int, int>> taken;  // segments and slices
     for (std::size_t n = 0; n < places_.size(); ++n) {
       const double at = along[n] - along[lowest];
       slice[n] = static_cast<int>(std::lround(at / gap));
@@ -325,6 +328,8 @@ class Object {
       if ((run - normal * run.dot(normal)).norm() > 0.5 * first.spacing_mm.minCoeff())
         refuse(request_, "frames", "are shifted against each other across their normal",
                "Resample the segmentation to the CT's grid");
+      if (!taken.emplace(places_[n].segment, slice[n]).second)
+        refuse(request_, "frames", "of one segment lie twice in one slice", kExport);
     }
     Eigen::Matrix3d direction;
     direction << first.row, first.column, normal;

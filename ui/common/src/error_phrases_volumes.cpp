@@ -14,6 +14,7 @@ const std::vector<const char*>& volume_problems() {
                         "holds no file: %1 is a pipe, a socket, a device or a link to no file"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is an archive, not a file of labels"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "are shifted against each other across their normal"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "of one segment lie twice in one slice"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "claims more pixels than a segmentation can mean"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "differ in orientation or pixel spacing"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "do not lie at equal steps along their normal"),
