@@ -104,12 +104,13 @@ inline std::map<std::string, std::vector<std::filesystem::path>> rooms_on_disk()
 
 inline bool is_module(const std::string& room) { return room != "app" && !room.starts_with("ui/"); }
 
-/// The public headers of the modules, by room.
-inline std::map<std::string, std::vector<std::filesystem::path>> public_headers() {
+/// The public headers of the modules, by room. @param with_window those of the window's rooms, too.
+inline std::map<std::string, std::vector<std::filesystem::path>> public_headers(bool with_window = false) {
   std::map<std::string, std::vector<std::filesystem::path>> headers;
   for (const auto& [room, sources] : rooms_on_disk())
     for (const auto& source : sources)
-      if (is_module(room) && source.string().find("/include/") != std::string::npos)
+      if ((is_module(room) || (with_window && room != "app")) &&
+          source.string().find("/include/") != std::string::npos)
         headers[room].push_back(source);
   return headers;
 }

@@ -33,6 +33,7 @@ class AtlasPanel : public Panel {
   void landmarks_shown();
 
  private:
+  /// @param points that it places, CT frame.
   QPushButton* add_tool(const QString& heading, const QString& explanation, QLabel*& state,
                         Points Landmarks::*points, Tool tool);
   void place(double x, double y);

@@ -53,7 +53,7 @@ class ProposalReview : public QWidget {
  private:
   struct Former {
     atlas::Proposal proposal;
-    Points landmark;             ///< of its structure
+    Points landmark;             ///< of its structure, CT frame, metres
     Eigen::VectorXd deviations;  ///< of the landmark, metres
   };
   QPushButton* add_button(const QString& text, const QString& explanation, const QKeySequence& key);
@@ -69,9 +69,11 @@ class ProposalReview : public QWidget {
   /// They lie on a liver that is not drawn any more.
   bool is_of_former_model() const;
   void draw();
+  /// @param moved where it lies now, CT frame.
   void decide(atlas::Decision decision, const Points& moved = {});
   void go_on();
   void undo();
+  /// Places are in the CT frame, here and below.
   void set_tool(Tool wanted);
   /// A single act, as a click in a slice is.
   void move_to(const Eigen::Vector3d& p);

@@ -33,6 +33,7 @@ class SurfaceDrag : public QObject {
   void left();
 
  private:
+  /// In the CT frame, here and below.
   std::optional<Eigen::Vector3d> place(const QPointF& at) const;
   void tell_hover(const QPointF& at);
   std::optional<Eigen::Vector3d> handle_at(const QPointF& at) const;

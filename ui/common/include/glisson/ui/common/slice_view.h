@@ -76,7 +76,7 @@ class SliceView : public QWidget {
   void redraw(const QRect& pixels);
   void paint_overlay(QPainter& painter);
   void paint_marks(QPainter& painter) const;
-  /// Where a point lies close to the slice, paler with its distance.
+  /// Where a point (CT frame) lies close to the slice, paler with its distance.
   void paint_disc(QPainter& painter, const Eigen::Vector3d& p, QColor colour) const;
   void paint_brush(QPainter& painter) const;
   void paint_line(QPainter& painter) const;

@@ -156,9 +156,9 @@ class LiveViewModel : public QObject {
   OverlayWorker& worker_;
   Couplings couplings_;
   scene::OverlayStyle style_;
-  scene::OverlayInterest interest_;  ///< of what is live
-  std::optional<Kept> kept_;         ///< on the screen, or about to be
-  std::shared_ptr<const Points> kept_margin_;
+  scene::OverlayInterest interest_;            ///< of what is live
+  std::optional<Kept> kept_;                   ///< on the screen, or about to be
+  std::shared_ptr<const Points> kept_margin_;  ///< CT frame
   scene::OverlayInterest kept_interest_;
   bool is_kept_painted_ = false;
   std::uint64_t interest_of_ = 0;  ///< the case's number
@@ -179,8 +179,8 @@ class LiveViewModel : public QObject {
       undrawn_;  ///< when the picture on the screen was taken
   QSize screen_;
   bool with_raw_ = false;
-  int generation_ = 0;  ///< pictures of former ones are not shown any more
-  std::shared_ptr<const Points> margin_;
+  int generation_ = 0;                    ///< pictures of former ones are not shown any more
+  std::shared_ptr<const Points> margin_;  ///< CT frame
   std::shared_ptr<const model::BuiltModel> model_source_;
   std::shared_ptr<const Landmarks> landmarks_source_;
 };

@@ -56,7 +56,7 @@ class RegistrationModel : public QObject {
   void undo();
   /// Why nothing is decided about the registration while another one is being made.
   static QString wait_words();
-  /// The nodes of the one that is compared; null: none.
+  /// The nodes of the one that is compared, camera's frame; null: none.
   const Points* rival_nodes() const;
 
  private:

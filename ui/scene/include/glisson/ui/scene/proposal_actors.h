@@ -24,7 +24,8 @@ struct ProposalMark {
   double ellipsoid2 = 0.0;  ///< squared Mahalanobis distance of the ellipsoids' surface
 };
 
-/// The ellipsoid |p - centre| = sqrt(distance2) in the covariance's measure, normals outward.
+/// The ellipsoid |p - centre| = sqrt(distance2) in the covariance's measure, normals outward, in the centre's
+/// frame.
 TriangleMesh ellipsoid(const Eigen::Vector3d& centre, const Eigen::Matrix3d& covariance, double distance2);
 
 /// Proposals as VTK actors in a renderer: balls or tubes, areas as dots, of the chosen one the ellipsoids,

@@ -87,7 +87,8 @@ class SurfaceRaster {
   /// longer keeps directions apart (Camera::maps()), is not drawn. @pre kind is not 0.
   void draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind, SurfaceLayer& layer) const;
 
-  /// The first half of draw(): where the vertices are on the picture. Surfaces may be projected side by side.
+  /// The first half of draw(): where the vertices (camera frame) are on the picture. Surfaces may be
+  /// projected side by side.
   /// @param surface its memory is used again.
   void project(const Points& vertices, const Triangles& triangles, ProjectedSurface& surface) const;
   /// The second half, of the rows of a band alone: bands of one layer may be filled side by side, and are the

@@ -18,7 +18,8 @@ class BoxDrag {
   BoxDrag(const std::optional<Eigen::AlignedBox3d>& box, const Eigen::AlignedBox3d& bounds,
           scene::Plane plane, const Eigen::Vector3d& start, double reach);
 
-  /// The box with the pointer at a place; the former one while that would draw a rectangle without width.
+  /// The box with the pointer at a place (CT frame); the former one while that would draw a rectangle without
+  /// width.
   std::optional<Eigen::AlignedBox3d> to(const Eigen::Vector3d& p) const;
   const std::optional<Eigen::AlignedBox3d>& former() const { return former_; }
 

@@ -21,7 +21,7 @@ double brush_after(double radius, double notches);
 /// One stretch of a stroke: of a disc an edit for each layer of voxels that the slice shows along it, several
 /// only where the volume's layers are askew to the slice. None: it lies outside the volume. They are one
 /// gesture. @param invert paints instead of erasing, and the other way.
-/// @pre the tool is a brush, the path is finite
+/// @param path CT frame, metres. @pre the tool is a brush, the path is finite
 std::vector<editing::Edit> brush_edits(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
                                        const scene::SliceGeometry& slice, const Points& path, bool invert);
 /// A lasso in a slice, its corners in pixels of the slice. @param invert fills what would be erased.
