@@ -2,9 +2,9 @@
 #include "cli.h"
 #include "commands.h"
 #include "model_argument.h"
+#include "output_folder.h"
 
 #include "glisson/engine/commands/simulate.h"
-#include "output_folder.h"
 
 namespace glisson::app {
 namespace {

@@ -19,7 +19,7 @@ std::string lower_extension(const std::filesystem::path& path);
 constexpr std::size_t kMostFileBytes = 4'000'000'000;
 
 /// Reads a whole file. @throws FileError naming the path when it is missing, unreadable, or has more bytes
-/// than such a file can have: nothing beyond them is read.
+/// than such a file can have; no more than a megabyte beyond them is read.
 std::string read_file(const std::filesystem::path& path, std::size_t most_bytes = kMostFileBytes);
 
 /// Writes a file so that, whatever happens (kill, full disk), the path holds the old content or all of the
