@@ -9043,8 +9043,16 @@
         <translation>Mittlerer Fehler, 20 % der Oberfläche gesehen, mm</translation>
     </message>
     <message>
-        <source>mean error, 10 % of the surface seen, where not doubted, mm</source>
-        <translation>Mittlerer Fehler, 10 % der Oberfläche gesehen, wo nicht angezweifelt, mm</translation>
+        <source>registrations over 2.5 mm on average, 30 % seen, not doubted, share</source>
+        <translation>Registrierungen mit über 2,5 mm im Mittel bei 30 % gesehener Fläche, nicht angezweifelt, Anteil</translation>
+    </message>
+    <message>
+        <source>registrations over 4 mm on average, 20 % seen, not doubted, share</source>
+        <translation>Registrierungen mit über 4 mm im Mittel bei 20 % gesehener Fläche, nicht angezweifelt, Anteil</translation>
+    </message>
+    <message>
+        <source>registrations over 6 mm on average, 10 % seen, not doubted, share</source>
+        <translation>Registrierungen mit über 6 mm im Mittel bei 10 % gesehener Fläche, nicht angezweifelt, Anteil</translation>
     </message>
     <message>
         <source>cases in which the best rigid alignment is beaten, share</source>

@@ -9043,8 +9043,16 @@
         <translation>erreur moyenne, 20 % de la surface vue, mm</translation>
     </message>
     <message>
-        <source>mean error, 10 % of the surface seen, where not doubted, mm</source>
-        <translation>erreur moyenne, 10 % de la surface vue, là où il n&apos;y a pas de doute, mm</translation>
+        <source>registrations over 2.5 mm on average, 30 % seen, not doubted, share</source>
+        <translation>recalages à plus de 2,5 mm en moyenne, 30 % de la surface vue, non mis en doute, part</translation>
+    </message>
+    <message>
+        <source>registrations over 4 mm on average, 20 % seen, not doubted, share</source>
+        <translation>recalages à plus de 4 mm en moyenne, 20 % de la surface vue, non mis en doute, part</translation>
+    </message>
+    <message>
+        <source>registrations over 6 mm on average, 10 % seen, not doubted, share</source>
+        <translation>recalages à plus de 6 mm en moyenne, 10 % de la surface vue, non mis en doute, part</translation>
     </message>
     <message>
         <source>cases in which the best rigid alignment is beaten, share</source>

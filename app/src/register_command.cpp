@@ -166,7 +166,8 @@ void compare_with_truth(const Arguments& arguments, Session& session, LengthUnit
 void write_report(const fs::path& report, const std::string& title, const Session& session) {
   const Registration& registration = *session.state()[part::registration];
   std::vector<std::string> doubts;
-  for (const std::string& doubt : registration.doubts) doubts.push_back(ui::note_text(doubt).toStdString());
+  for (const std::vector<std::string>* all : {&registration.doubts, &registration.notes})
+    for (const std::string& note : *all) doubts.push_back(ui::note_text(note).toStdString());
   experiments::write_registration_report(report, title, session.figures,
                                          registration::ending_code(registration), doubts);
 }

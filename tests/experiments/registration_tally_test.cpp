@@ -53,7 +53,20 @@ class RegistrationTallyTest : public QObject {
   void JoinedLooksAreComparedWhereNeitherWasRefused();
   void WhatIsWrittenIsReadAgain();
   void EvenRightExpectationsCorrelateOnlySoFar();
+  void WhatIsOverItsLimitIsDoubtedOrCounted();
 };
+
+void RegistrationTallyTest::WhatIsOverItsLimitIsDoubtedOrCounted() {
+  RegistrationTrial near = trial(3.9e-3, 8e-3), told = trial(9e-3, 8e-3), untold = trial(4.1e-3, 8e-3);
+  told.doubts = {"residual_large"};
+  const RegistrationProof sound = proof_of({near, told});
+  QCOMPARE(sound.figures.at("registration_validation_20_untold_share"), 0.0);
+  QCOMPARE(verdict_of("registration_validation_20_untold_share", sound), Verdict::met);
+  const RegistrationProof proof = proof_of({near, told, untold, near});
+  QCOMPARE(proof.figures.at("registration_validation_20_untold_share"), 0.25);
+  QCOMPARE(verdict_of("registration_validation_20_untold_share", proof), Verdict::missed);
+  QCOMPARE(verdict_of("registration_validation_10_untold_share", proof), Verdict::not_measured);
+}
 
 /// Errors drawn from just the distributions that are expected.
 void RegistrationTallyTest::EvenRightExpectationsCorrelateOnlySoFar() {

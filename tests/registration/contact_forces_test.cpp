@@ -90,6 +90,7 @@ struct Pulled {
 class ContactForcesTest : public QObject {
   Q_OBJECT
  private slots:
+  void OnlyAnotherLawInTheSamePlaceIsAmbiguous();
   void FindsHowSmallThePlaceIs() {
     // Fewer nodes than the widest patches hold: those alone leave 0.11 mm.
     const Pulled pulled({0.0, 0.004, 0.012}, 0.009);
@@ -380,6 +381,43 @@ class ContactForcesTest : public QObject {
     QVERIFY(fit->laws[static_cast<std::size_t>(fit->chosen)].material.law == fem::BodyLaw::linear);
   }
 };
+
+void ContactForcesTest::OnlyAnotherLawInTheSamePlaceIsAmbiguous() {
+  const fem::BodyMaterial soft{fem::BodyLaw::neo_hookean, 0.45};
+  ContactForceFit fit;
+  fit.chosen = 0;
+  LawFit one;
+  one.material = soft;
+  one.ground = 0.2;
+  one.log_evidence = 100.0;
+  LawFit other = one;
+  other.log_evidence = 98.0;
+  other.away = 8e-3;
+  const auto is_ambiguous = [&](const LawFit& rival) {
+    fit.laws = {one, rival};
+    return is_law_ambiguous(fit);
+  };
+  QVERIFY(!is_ambiguous(other));  // another place's end
+  LawFit supports = other;
+  supports.ground = 0.9;
+  QVERIFY(!is_ambiguous(supports));
+  LawFit law = other;
+  law.material.poisson_ratio = 0.41;
+  QVERIFY(is_ambiguous(law));
+  LawFit elsewhere = law;
+  elsewhere.place = 2;
+  QVERIFY(!is_ambiguous(elsewhere));
+  LawFit near = law;
+  near.away = 4e-3;
+  QVERIFY(!is_ambiguous(near));
+  LawFit improbable = law;
+  improbable.log_evidence = 94.0;
+  QVERIFY(!is_ambiguous(improbable));
+  LawFit linear = law;  // has odds of 1 to 20 beforehand
+  linear.material.law = fem::BodyLaw::linear;
+  linear.log_evidence = 97.0;
+  QVERIFY(!is_ambiguous(linear));
+}
 
 QTEST_APPLESS_MAIN(ContactForcesTest)
 #include "contact_forces_test.moc"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
@@ -42,6 +43,7 @@ class RivalsTest : public QObject {
   void AtMostThreeAreToldAndNoneOutOfQuestion();
   void TheChosenPlaceExplainsItsPoints();
   void ChosenTwiceTheFormerPlaceIsBack();
+  void WhatIsKnownOfTheErrorTurnsWithTheChosenPlace();
   void AChosenPlaceIsDoubtedByItsOwnFit();
   void WhatTheRegistrationLeftOutOfTheCloudIsNoMisfit();
   void WhatWasRefusedStaysRefused();
@@ -186,6 +188,24 @@ void RivalsTest::ThereMustBeSuchAPlace() {
   const Registration registration = with_rival(model, 9.0);
   const LabelledCloud cloud = phantom::patch(model, registration.nodes_in_camera, {});
   QVERIFY_THROWS_EXCEPTION(InputError, choose_rival(registration, 1, model, cloud));
+}
+
+void RivalsTest::WhatIsKnownOfTheErrorTurnsWithTheChosenPlace() {
+  const PatientModel model = phantom::model(7, 6, 3);
+  Registration registration = with_rival(model, 9.0);
+  const Eigen::Matrix3d along_x = Eigen::Vector3d(9e-6, 1e-6, 1e-6).asDiagonal(),
+                        along_y = Eigen::Vector3d(1e-6, 9e-6, 1e-6).asDiagonal();
+  registration.lesions = {{structure::kFirstLesion, along_x}};
+  registration.covariances = symmetric_row(along_x).replicate(model.mesh.vertex_count(), 1);
+  Points& turned = registration.rivals[0].nodes_in_camera;  // by a quarter about the line of sight
+  turned.col(0) = -registration.nodes_in_camera.col(1);
+  turned.col(1) = registration.nodes_in_camera.col(0);
+  const LabelledCloud cloud = phantom::patch(model, turned, {.share = 0.3, .noise = 0.0});
+  const Registration chosen = choose_rival(registration, 0, model, cloud);
+  QVERIFY((chosen.lesions[0].covariance - along_y).norm() < 1e-12);
+  QVERIFY((chosen.covariances.row(5) - symmetric_row(along_y)).norm() < 1e-12);
+  const Registration back = choose_rival(chosen, 0, model, cloud);
+  QVERIFY((back.lesions[0].covariance - along_x).norm() < 1e-12);
 }
 
 QTEST_APPLESS_MAIN(RivalsTest)

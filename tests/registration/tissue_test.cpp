@@ -20,6 +20,7 @@ using namespace glisson::registration;
 class TissueTest : public QObject {
   Q_OBJECT
  private slots:
+  void APoissonRatioThatIsGivenHoldsForForcesAndOperations();
   void initTestCase();
   void ALesionAsTheLiverChangesNoBit();
   void AStiffLesionIsStrainedLessByOperations();
@@ -209,6 +210,19 @@ void TissueTest::WhatIsKnownOfOtherTissueIsNotTaken() {
   options.tissue = fem::tissue_from("lesions=soft");
   QVERIFY(register_model(model_, cloud, options, RunContext(), known)->registered.operations != known.prior);
   QCOMPARE(operation_of(options, model_).lesions.at(structure::kFirstLesion), 3500.0 / 3.0);
+}
+
+void TissueTest::APoissonRatioThatIsGivenHoldsForForcesAndOperations() {
+  RegisterOptions options;
+  options.materials = fem::CompositeOptions();
+  ContactForceOptions forces = forces_with(model_, elastic_of(options, model_), {});
+  QCOMPARE(forces.poisson_ratios, ContactForceOptions().poisson_ratios);  // by evidence
+  options.materials->parenchyma.poisson_ratio = 0.3;
+  forces = forces_with(model_, elastic_of(options, model_), {});
+  QVERIFY(forces.poisson_ratios.empty());
+  for (const fem::BodyMaterial& material : forces.materials) QCOMPARE(material.poisson_ratio, 0.3);
+  QCOMPARE(operation_of(options, model_).poisson_ratio, 0.3);
+  QVERIFY(!(operation_of(options, model_) == OperationOptions()));
 }
 
 QTEST_APPLESS_MAIN(TissueTest)

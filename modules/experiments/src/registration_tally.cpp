@@ -41,11 +41,15 @@ struct Mean {
 
 std::string shown_mm(const Mean& mean) { return figure_text("%.2f", millimetres(mean.value())); }
 
+/// Mean error, metres, over which a registration with so much seen is to be doubted.
+double told_from(double share) { return share < 0.15 ? 6e-3 : share < 0.25 ? 4e-3 : 2.5e-3; }
+
 struct Cell {
   Mean ours, paper, rigid, lesion;
-  int doubted = 0, count = 0, failed = 0;
+  int doubted = 0, count = 0, failed = 0, untold = 0;
   void add(const RegistrationTrial& trial) {
     doubted += trial.doubted();
+    untold += !trial.doubted() && trial.mean > told_from(trial.share);
     ++count;
     if (!std::isfinite(trial.mean)) {
       ++failed;
@@ -258,6 +262,7 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     proof.figures[at + "rigid_mean_mm"] = millimetres(cell.rigid.value());
     proof.figures[at + "undoubted_mean_mm"] = millimetres(undoubted[share].value());
     proof.figures[at + "undoubted"] = undoubted[share].count;
+    proof.figures[at + "untold_share"] = share_of(cell.untold, cell.count);
   }
   proof.table.emplace_back("fault             trials  refused  doubted  >10 mm  told  <3 mm  doubted");
   const auto tell = [&](const std::string& what, const Tally& tally) {

@@ -31,7 +31,9 @@ class Fits {
   void begin_at_best() { fitters_.back()->begin_at(best()); }
 
   /// The last one added begins in another place.
-  void begin_at(const ContactForceOptions::Place& place) { fitters_.back()->begin_at(place); }
+  void begin_at(std::size_t place) {
+    fitters_.back()->begin_at(problem_.options.other_places[place], place + 1);
+  }
 
   /// Runs those added since. @param from, to share of the work, for the progress. @return false: cancelled.
   bool run(double from, double to) {
@@ -146,6 +148,16 @@ void ContactForceOptions::validate() const {
   demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 
+bool is_law_ambiguous(const ContactForceFit& fit) {
+  constexpr double kRival = 5.0;
+  constexpr double kOtherShape = 5e-3;  // m
+  const LawFit& law = fit.laws[static_cast<std::size_t>(fit.chosen)];
+  return std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
+    return rival.material != law.material && rival.ground == law.ground && rival.place == law.place &&
+           log_posterior(rival) > log_posterior(law) - kRival && rival.away > kOtherShape;
+  });
+}
+
 bool is_beyond_tissue(const ContactForceFit& fit, int elements) {
   constexpr int kFew = 5, kOneIn = 1000;
   constexpr double kTorn = 0.02;
@@ -170,7 +182,7 @@ Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const
   if (!fits.run(problem.grounded ? 0.4 : 0.0, 0.6) || !fits.settle(0.6, 0.7)) return std::nullopt;
   fem::BodyMaterial material = fits.best().law().material;
   if (problem.free_pose)
-    for (const ContactForceOptions::Place& place : options.other_places) {
+    for (std::size_t place = 0; place < options.other_places.size(); ++place) {
       fits.add(material, ground);
       fits.begin_at(place);
     }

@@ -128,6 +128,7 @@ void ForceFitter::begin_at(const ForceFitter& other) {
   now_.x = other.best_.x;
   now_.modes = other.best_.modes;
   now_.looks = other.best_.looks;
+  now_.law.place = other.best_.law.place;
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
   strongest_ = strongest(other.best_);
   first_sigma_ = 2.0 * other.best_.law.sigma;
@@ -142,7 +143,8 @@ void ForceFitter::begin_at(const CameraFromCt& pose, const Points& x, const std:
                           *std::min_element(problem_.options.sigmas.begin(), problem_.options.sigmas.end()));
 }
 
-void ForceFitter::begin_at(const ContactForceOptions::Place& place) {
+void ForceFitter::begin_at(const ContactForceOptions::Place& place, std::size_t number) {
+  now_.law.place = number;
   now_.pose = place.camera_from_ct;
   now_.modes.setZero();
   if (place.amplitudes.size() > 0) now_.modes = place.amplitudes;

@@ -45,7 +45,7 @@ class ForceFitter {
   /// @param first_sigma stages of more noise are left out.
   void begin_at(const CameraFromCt& pose, const Points& x, const std::vector<int>& strongest,
                 double first_sigma);
-  void begin_at(const ContactForceOptions::Place& place);
+  void begin_at(const ContactForceOptions::Place& place, std::size_t number);
   /// How far the cloud lies from the model there, along the normals: median of the sizes, m.
   double apart(const CameraFromCt& pose, const Points& x);
   /// @return false: cancelled. `advance` is called after each stage.

@@ -75,10 +75,9 @@ std::vector<ForkSpread> forks_of(const PatientModel& model, const Registration& 
   return spreads;
 }
 
-Registration carried_to(const PatientModel& model, Registration registration, const Points& nodes_in_camera) {
-  require(nodes_in_camera.rows() == registration.nodes_in_camera.rows(),
-          "an organ that has moved has the nodes that it had");
-  const Eigen::Matrix3d turn = fit_rigid_motion(registration.nodes_in_camera, nodes_in_camera, {}).rotation;
+void turn_errors(Registration& registration, const Points& from, const Points& to) {
+  require(from.rows() == to.rows(), "an organ that has moved has the nodes that it had");
+  const Eigen::Matrix3d turn = fit_rigid_motion(from, to, {}).rotation;
   const auto turned = [&turn](const Eigen::Matrix3d& covariance) -> Eigen::Matrix3d {
     return turn * covariance * turn.transpose();
   };
@@ -87,6 +86,10 @@ Registration carried_to(const PatientModel& model, Registration registration, co
   for (Eigen::Index i = 0; i < registration.covariances.rows(); ++i)
     registration.covariances.row(i) =
         symmetric_row(turned(symmetric_matrix(registration.covariances.row(i))));
+}
+
+Registration carried_to(const PatientModel& model, Registration registration, const Points& nodes_in_camera) {
+  turn_errors(registration, registration.nodes_in_camera, nodes_in_camera);
   registration.rivals.clear();
   registration.looks.clear();
   registration.forces.clear();

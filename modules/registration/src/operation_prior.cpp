@@ -34,7 +34,7 @@ constexpr double kReach = 0.09;
 fem::CompositeOptions tissue_alone(const OperationOptions& options) {
   fem::CompositeOptions materials;
   materials.with_vessels = materials.with_capsule = false;
-  materials.parenchyma.young_modulus = options.young_modulus;
+  materials.parenchyma = {options.young_modulus, options.poisson_ratio};
   for (const auto& [label, modulus] : options.lesions)
     materials.by_label[label] = {modulus, materials.parenchyma.poisson_ratio};
   return materials;
@@ -184,7 +184,7 @@ Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd
 bool OperationOptions::operator==(const OperationOptions& other) const {
   const auto all = [](const OperationOptions& o) {
     return std::tie(o.operations, o.modes, o.gravity, o.gas_pa, o.bed_m, o.ligament_m, o.contact_spread,
-                    o.unforeseen_m, o.young_modulus, o.lesions);
+                    o.unforeseen_m, o.young_modulus, o.poisson_ratio, o.lesions);
   };
   return all(*this) == all(other);
 }
@@ -202,6 +202,8 @@ void OperationOptions::validate() const {
          "Give a number from 0 to 0.05 m");
   const auto is_modulus = [](double pascals) { return pascals >= 1.0 && pascals <= 1e9; };
   demand(is_modulus(young_modulus), "young_modulus", young_modulus, "Give a number from 1 to 1e9 Pa");
+  demand(poisson_ratio >= 0.0 && poisson_ratio < 0.5, "poisson_ratio", poisson_ratio,
+         "Give a number from 0 to below 0.5");
   for (const auto& [label, modulus] : lesions)
     demand(is_modulus(modulus), structure_name(label).c_str(), modulus, "Give a number from 1 to 1e9 Pa");
   demand(contact_spread >= 0.0 && contact_spread <= 2.0, "contact_spread", contact_spread,

@@ -17,8 +17,6 @@ namespace glisson::registration {
 namespace {
 
 std::vector<std::string> doubts_of(const ContactForceFit& fit, int elements, double seen) {
-  constexpr double kRival = 5.0;
-  constexpr double kOtherShape = 5e-3;  // m
   const LawFit& law = fit.laws[static_cast<std::size_t>(fit.chosen)];
   std::vector<std::string> doubts;
   if (seen < kLittleSeen) doubts.emplace_back("little_surface_seen");
@@ -27,10 +25,7 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, int elements, dou
   // The linear law itself turns single elements inside out.
   if (fit.inverted > 0 && (law.material.law != fem::BodyLaw::linear || is_beyond_tissue(fit, elements)))
     doubts.emplace_back("inverted_elements");
-  if (std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
-        return rival.log_evidence > law.log_evidence - kRival && rival.away > kOtherShape;
-      }))
-    doubts.emplace_back("law_ambiguous");
+  if (is_law_ambiguous(fit)) doubts.emplace_back("law_ambiguous");
   if (fit.termination != Termination::converged) doubts.emplace_back("forces_not_at_rest");
   return doubts;
 }

@@ -17,6 +17,7 @@
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
+#include "lesion_errors.h"
 #include "looks.h"
 #include "mirror_control.h"
 #include "register_by_forces.h"
@@ -116,67 +117,6 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
   return error;
 }
 
-/// The lesions' middles, tied to the mesh.
-struct BoundLesions {
-  std::vector<Label> labels;
-  Binding middles;
-};
-
-BoundLesions bound_lesions(const PatientModel& model) {
-  const auto centres = lesion_centres(model);
-  BoundLesions bound;
-  Points points(static_cast<Eigen::Index>(centres.size()), 3);
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    bound.labels.push_back(centres[i].first);
-    points.row(static_cast<Eigen::Index>(i)) = centres[i].second.transpose();
-  }
-  bound.middles = bind_points(model.mesh, points);
-  return bound;
-}
-
-std::vector<LesionError> lesions_of(const TetMesh& mesh, const BoundLesions& bound, const ErrorModel& error,
-                                    const Registration& registration) {
-  const Points found = bound.middles.apply(mesh, registration.nodes_in_camera);
-  const std::vector<Eigen::Matrix3d> covariances = error.covariances(mesh, bound.middles);
-  std::vector<LesionError> lesions;
-  for (std::size_t i = 0; i < bound.labels.size(); ++i)
-    lesions.push_back({bound.labels[i], found.row(static_cast<Eigen::Index>(i)).transpose(), covariances[i],
-                       mean_error(covariances[i])});
-  return lesions;
-}
-
-/// Each covariance with this rms length instead of its own.
-void sized_as(const Eigen::VectorXd& rms, SymmetricRows& covariances) {
-  for (Eigen::Index i = 0; i < covariances.rows(); ++i)
-    if (const double trace = covariances.row(i).head<3>().sum(); trace > 0.0)
-      covariances.row(i) *= rms[i] * rms[i] / trace;
-}
-
-/// The same for lesions, at whose middles the nodes' lengths are interpolated.
-void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::VectorXd& rms,
-                  std::vector<LesionError>& lesions) {
-  const Points sizes = bound.middles.apply(mesh, rms.replicate<1, 3>());
-  for (std::size_t i = 0; i < lesions.size(); ++i) {
-    LesionError& lesion = lesions[i];
-    const double size = sizes(static_cast<Eigen::Index>(i), 0), trace = lesion.covariance.trace();
-    if (trace > 0.0) lesion.covariance *= size * size / trace;
-    lesion.expected = mean_error(lesion.covariance);
-  }
-}
-
-/// Looks by the same measure as the lesions' errors; of a lesion whose error is not known there is none.
-void size_looks(const std::vector<LesionError>& lesions, std::vector<LesionLooks>& looks) {
-  const auto error_of = [&](Label label) { return std::ranges::find(lesions, label, &LesionError::lesion); };
-  std::erase_if(looks, [&](const LesionLooks& look) {
-    return error_of(look.lesion) == lesions.end() || !(look.now > 0.0);
-  });
-  for (LesionLooks& look : looks) {
-    const double factor = error_of(look.lesion)->expected / look.now;
-    look.now *= factor, look.margin *= factor, look.notch *= factor;
-    look.seen *= factor;
-  }
-}
-
 /// Each doubt once: the rigid start and the elastic stages may share one.
 void tell_once(std::vector<std::string>& doubts) {
   std::vector<std::string> told;
@@ -200,6 +140,11 @@ ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions&
   forces.fixed_nodes = elastic.fixed_nodes;
   if (forces.stiffness.empty())
     forces.stiffness = fem::stiffness_over_parenchyma(model.mesh, elastic.materials);
+  // A ratio that somebody gives is not for the evidence to choose.
+  const double ratio = elastic.materials.parenchyma.poisson_ratio;
+  if (ratio == fem::Material().poisson_ratio) return forces;
+  for (fem::BodyMaterial& material : forces.materials) material.poisson_ratio = ratio;
+  forces.poisson_ratios.clear();
   return forces;
 }
 
@@ -217,6 +162,7 @@ OperationOptions operation_of(const RegisterOptions& options, const PatientModel
   if (!options.materials && options.tissue.empty()) return operation;
   const fem::CompositeOptions materials = elastic_of(options, model).materials;
   operation.young_modulus = materials.parenchyma.young_modulus;
+  operation.poisson_ratio = materials.parenchyma.poisson_ratio;
   for (const auto& [label, material] : materials.by_label) operation.lesions[label] = material.young_modulus;
   return operation;
 }
@@ -374,9 +320,7 @@ class Run {
     const bool either = options_.method == Method::automatic && shapes_.has_value();
     Cancellable<Registration> made;
     if (either || takes_forces(options_.method, model_, elastic_))
-      made = register_by_forces(model_, cloud_, start_.camera_from_ct, elastic_, shapes_, options_.forces,
-                                options_.start == Start::none, result().forces,
-                                up_to(either ? 0.5 * (done_ + judged) : judged));
+      made = by_forces(either, up_to(either ? 0.5 * (done_ + judged) : judged));
     // If no force was worth its price, the shape alone explains what is seen.
     if (either && made && result().forces->forces.empty()) result().forces.reset();
     if (context_.cancelled()) return false;
@@ -392,6 +336,18 @@ class Run {
     if (!made) return false;
     registration_ = std::move(*made);
     return true;
+  }
+
+  /// @param is_choice whether there is another way: then forces without an equilibrium are none.
+  Cancellable<Registration> by_forces(bool is_choice, const RunContext& context) {
+    try {
+      return register_by_forces(model_, cloud_, start_.camera_from_ct, elastic_, shapes_, options_.forces,
+                                options_.start == Start::none, result().forces, context);
+    } catch (const NumericalError&) {
+      if (!is_choice) throw;
+      result().forces.reset();
+      return {};
+    }
   }
 
   bool examine_it() {

@@ -94,6 +94,7 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
   for (const RegistrationRival& rival : registration.rivals) own -= rival.probability;
   RegistrationRival& place = chosen.rivals[which];
   std::swap(chosen.nodes_in_camera, place.nodes_in_camera);
+  turn_errors(chosen, registration.nodes_in_camera, chosen.nodes_in_camera);
   const double probability = std::exchange(place.probability, std::max(0.0, own));
   std::stable_sort(chosen.rivals.begin(), chosen.rivals.end(),
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });

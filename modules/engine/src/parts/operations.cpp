@@ -59,6 +59,8 @@ json lesions_of(const registration::OperationOptions& options) {
 void read_stiffness(registration::OperationOptions& options, const json& entry, const CaseFolder& folder) {
   if (entry.contains("young_modulus"))
     options.young_modulus = ranged<double>(folder.path, entry, "young_modulus", 1.0, 1e9);
+  if (entry.contains("poisson_ratio"))
+    options.poisson_ratio = ranged<double>(folder.path, entry, "poisson_ratio", 0.0, 0.4999);
   if (!entry.contains("lesions")) return;
   const json& lesions = entry.at("lesions");
   for (const auto& [name, modulus] : lesions.items()) {
@@ -80,6 +82,7 @@ json save(const CaseState& state, const CaseFolder& folder) {
              {"simulated", known.prior->operations},
              {"motion_mean_mm", 1e3 * known.prior->mean_motion},
              {"young_modulus", known.options.young_modulus},
+             {"poisson_ratio", known.options.poisson_ratio},
              {"lesions", lesions_of(known.options)}};
   each_option(known.options,
               [&](const char* name, const auto& value, double, double) { entry[name] = value; });
@@ -150,6 +153,7 @@ registration::OperationOptions with_tissue_of(const CaseState& state,
   said.tissue = tissue_of(state);
   const registration::OperationOptions plain;
   options.young_modulus = plain.young_modulus;
+  options.poisson_ratio = plain.poisson_ratio;
   options.lesions = plain.lesions;
   said.operation = std::move(options);
   return registration::operation_of(said, state[part::model]->model);

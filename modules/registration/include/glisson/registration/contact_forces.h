@@ -75,6 +75,7 @@ struct ContactForceOptions {
 struct LawFit {
   fem::BodyMaterial material;
   double ground = 0.0;
+  std::size_t place = 0;  ///< where it began: 0 the start, k the k-th of the other places
   /// Of the last stage, ln, less the price of its forces; minus infinity: the mechanics failed.
   double log_evidence = 0.0;
   double sigma = 0.0;     ///< of the most probable stage, m
@@ -122,5 +123,11 @@ struct ContactForceFit {
 /// a force acts on one or two of them.
 /// @param elements of the model's mesh.
 bool is_beyond_tissue(const ContactForceFit& fit, int elements);
+
+/// Whether another elastic law explains the cloud nearly as well (e^5 in the odds) and puts the nodes 5 mm
+/// away on average. Not the same law on other supports or in another place: of these rivals and expected
+/// errors tell.
+/// @pre a law was chosen.
+bool is_law_ambiguous(const ContactForceFit& fit);
 
 }  // namespace glisson::registration

@@ -36,6 +36,7 @@ struct OperationOptions {
   double unforeseen_m = kUnforeseenMotion;  ///< 0: there are none
   /// Pa, of the parenchyma
   double young_modulus = fem::CompositeOptions().parenchyma.young_modulus;
+  double poisson_ratio = fem::CompositeOptions().parenchyma.poisson_ratio;
   std::map<Label, double> lesions;  ///< Young's modulus of each, Pa; missing ones are parenchyma
   int threads = 2;                  ///< 1 or 2: the same bits
   /// @throws InputError naming the option.
@@ -59,7 +60,7 @@ struct OperationPrior {
 };
 
 /// Where operations cannot be simulated: unforeseen forces alone, which move a node by 8 mm (rms).
-/// @param options of which the moduli are taken.
+/// @param options of which moduli and Poisson's ratio are taken.
 /// Cancelled: without modes.
 OperationPrior unknown_operations(const PatientModel& model, const OperationOptions& options = {},
                                   const RunContext& context = {});
