@@ -96,10 +96,11 @@ class PlainScene {
  public:
   PlainScene(const scene::DrawableModel& model, const Camera& camera)
       : model_(model), offscreen_(camera.width, camera.height) {
-    for (const scene::DrawableSurface& surface : model.surfaces) {
+    for (const scene::DrawableSurface* drawn : scene::drawn_surfaces(model, false)) {
+      const scene::DrawableSurface& surface = *drawn;
       if (surface.inside.triangles.rows() == 0) continue;
       TriangleMesh mesh = surface.mesh;
-      mesh.triangles = surface.thick.triangles;
+      mesh.triangles = surface.inside.triangles;
       auto shape = scene::make_poly_data(mesh);
       scene::add_normals(*shape);
       vtkNew<vtkPolyDataMapper> mapper;
@@ -168,8 +169,8 @@ int main(int argc, char** argv) {
   const auto drawable = scene::make_drawable(std::make_shared<const PatientModel>(patient_model()));
   const PatientModel& model = *drawable->model;
   int triangles = 0;
-  for (const scene::DrawableSurface& surface : drawable->surfaces)
-    triangles += static_cast<int>(surface.thick.triangles.rows());
+  for (const scene::DrawableSurface* surface : scene::drawn_surfaces(*drawable, false))
+    triangles += static_cast<int>(surface->inside.triangles.rows());
   const Picture frame = tissue(camera);
   std::vector<Points> nodes;
   for (int k = 0; k < frames; ++k) nodes.push_back(nodes_at(model, k));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/drawable_model.h"
 
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 #include "glisson/core/error.h"
@@ -9,6 +9,7 @@
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/model_surfaces.h"
+#include "vessel_tubes.h"
 
 namespace glisson::scene {
 namespace {
@@ -44,49 +45,6 @@ Triangles triangles_inside(const DrawableSurface& surface) {
   return kept.topRows(count);
 }
 
-/// Whether each node of a tree is thin, and all that follows behind it.
-std::vector<bool> thin_nodes(const VesselTree& tree) {
-  std::vector<double> widest = tree.radii;
-  // Beams run from the root outwards: from the last to the first, what is behind is known already.
-  for (auto beam = tree.beams.rbegin(); beam != tree.beams.rend(); ++beam) {
-    double& here = widest[static_cast<std::size_t>((*beam)[0])];
-    here = std::max(here, widest[static_cast<std::size_t>((*beam)[1])]);
-  }
-  std::vector<bool> thin(widest.size());
-  for (std::size_t i = 0; i < widest.size(); ++i) thin[i] = widest[i] < kThin;
-  return thin;
-}
-
-/// A triangle belongs to the node of the trees that is nearest, less the node's radius.
-Triangles thick_triangles(const PatientModel& model, const DrawableSurface& surface, const Triangles& of) {
-  std::vector<std::pair<const VesselTree*, std::vector<bool>>> trees;
-  for (const VesselTree& tree : model.vessels)
-    if (tree.structure == surface.structure &&
-        tree.radii.size() == static_cast<std::size_t>(tree.nodes.rows()))
-      trees.emplace_back(&tree, thin_nodes(tree));
-  const auto is_thin = [&](const Eigen::RowVector3d& place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    bool thin = false;
-    for (const auto& [tree, nodes] : trees)
-      for (Eigen::Index i = 0; i < tree->nodes.rows(); ++i) {
-        const auto node = static_cast<std::size_t>(i);
-        const double distance = (tree->nodes.row(i) - place).norm() - tree->radii[node];
-        if (distance >= nearest) continue;
-        nearest = distance;
-        thin = nodes[node];
-      }
-    return thin;
-  };
-  Triangles kept(of.rows(), 3);
-  Eigen::Index count = 0;
-  for (Eigen::Index t = 0; t < of.rows(); ++t) {
-    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
-    for (int k = 0; k < 3; ++k) middle += surface.mesh.vertices.row(of(t, k)) / 3.0;
-    if (!is_thin(middle)) kept.row(count++) = of.row(t);
-  }
-  return kept.topRows(count);
-}
-
 /// As a body with those of its vertices that are attached.
 Points with_its_bed(const DrawableSurface& surface, const Points& moved) {
   constexpr Eigen::Index kFewest = 10;  // that tell how a body turns
@@ -102,6 +60,55 @@ Points with_its_bed(const DrawableSurface& surface, const Points& moved) {
   }
   if (count < kFewest) return moved;
   return fit_rigid<CtFrame, CtFrame>(from.topRows(count), to.topRows(count)).apply(surface.mesh.vertices);
+}
+
+/// Says how a surface moves with the model's mesh. @pre there is one.
+void bind(DrawableSurface& surface, const PatientModel& model, const ClosestPointTree& skin) {
+  surface.binding = bind_points(model.mesh, surface.mesh.vertices, false);
+  // The liver itself is drawn whole: its fine surface is what the mesh was made from.
+  const bool is_liver = surface.structure == structure::kParenchyma;
+  if (!is_liver) surface.outside = outside_vertices(surface, skin);
+  surface.inside = sort_by_sides(surface.mesh, is_liver ? surface.mesh.triangles : triangles_inside(surface));
+}
+
+std::vector<const VesselTree*> trees_of(const PatientModel& model, Label structure) {
+  std::vector<const VesselTree*> trees;
+  for (const VesselTree& tree : model.vessels)
+    if (tree.structure == structure && !tree.beams.empty() &&
+        tree.radii.size() == static_cast<std::size_t>(tree.nodes.rows()))
+      trees.push_back(&tree);
+  return trees;
+}
+
+/// What of vessels lies in the model's mesh, or so near that it is known how it moves.
+std::vector<VesselCourse> known_parts(const std::vector<VesselCourse>& courses, const PatientModel& model,
+                                      const ClosestPointTree& skin) {
+  Eigen::Index count = 0;
+  for (const VesselCourse& course : courses) count += static_cast<Eigen::Index>(course.size());
+  Points centres(count, 3);
+  count = 0;
+  for (const VesselCourse& course : courses)
+    for (const Eigen::Vector4d& place : course) centres.row(count++) = place.head<3>().transpose();
+  std::vector<bool> is_known(static_cast<std::size_t>(count), true);
+  for (const int i : bind_points(model.mesh, centres).outside)
+    is_known[static_cast<std::size_t>(i)] =
+        skin.closest(centres.row(i).transpose()).distance <= kOutsideTolerance;
+  std::vector<VesselCourse> parts;
+  std::size_t place = 0;
+  for (const VesselCourse& course : courses) {
+    VesselCourse part;
+    const auto end = [&] {
+      if (part.size() > 1) parts.push_back(part);
+      part.clear();
+    };
+    for (const Eigen::Vector4d& ring : course)
+      if (is_known[place++])
+        part.push_back(ring);
+      else
+        end();
+    end();
+  }
+  return parts;
 }
 
 }  // namespace
@@ -136,19 +143,30 @@ std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const Patient
     const int most = label == structure::kParenchyma ? std::max(1, triangles * 2 / 3) : triangles;
     surface.mesh = simplified(structure_surface(*model, label), most);
     if (surface.mesh.triangle_count() == 0) continue;
-    Triangles inside;  // none without a mesh
-    if (has_mesh) {
-      surface.binding = bind_points(model->mesh, surface.mesh.vertices, false);
-      // The liver itself is drawn whole: its fine surface is what the mesh was made from.
-      if (label != structure::kParenchyma) surface.outside = outside_vertices(surface, skin);
-      inside = label == structure::kParenchyma ? surface.mesh.triangles : triangles_inside(surface);
-    }
-    surface.inside = sort_by_sides(surface.mesh, inside);
-    surface.thick = sort_by_sides(surface.mesh, thick_triangles(*model, surface, inside));
+    if (has_mesh) bind(surface, *model, skin);
     drawable->surfaces.push_back(std::move(surface));
+    const std::vector<const VesselTree*> trees = trees_of(*model, label);
+    if (trees.empty() || !has_mesh) continue;
+    DrawableSurface tubes;
+    tubes.structure = label;
+    tubes.mesh = tubes_around(known_parts(vessel_courses(trees, triangles), *model, skin));
+    tubes.binding = bind_points(model->mesh, tubes.mesh.vertices, false);
+    tubes.inside = sort_by_sides(tubes.mesh, tubes.mesh.triangles);
+    drawable->tubes.push_back(std::move(tubes));
   }
   drawable->model = std::move(model);
   return drawable;
+}
+
+std::vector<const DrawableSurface*> drawn_surfaces(const DrawableModel& model, bool thin_branches) {
+  std::vector<const DrawableSurface*> drawn;
+  for (const DrawableSurface& surface : model.surfaces) {
+    const auto tubes = std::find_if(model.tubes.begin(), model.tubes.end(), [&](const DrawableSurface& one) {
+      return one.structure == surface.structure;
+    });
+    drawn.push_back(thin_branches || tubes == model.tubes.end() ? &surface : &*tubes);
+  }
+  return drawn;
 }
 
 }  // namespace glisson::scene

@@ -16,7 +16,7 @@ constexpr float kDepthStep = 6e-3F;             ///< metres; a larger step betwe
 constexpr int kHatchPeriod = 7;                 ///< pixels
 constexpr float kBand = 10e-3F;                 ///< metres between lines of equal depth
 constexpr float kDarkest = 60e-3F;              ///< metres below the surface; deeper is not drawn darker
-constexpr float kDeepest = 0.35F;               ///< of a vessel's opacity that stays at any depth
+constexpr float kDeepest = 0.6F;                ///< of a vessel's opacity that stays at any depth
 constexpr int kBoldLine = 3;                    ///< pixels
 const cv::Vec3f kOutlineColour(235, 235, 235);  // blue, green, red
 
@@ -125,16 +125,17 @@ class VesselInk {
     // Hepatic veins are hatched: colour must not be the only cue.
     const bool gap = vessels.kind[pixel] == kHepatic && !edge && (u + v) % kHatchPeriod >= kHatchPeriod / 2;
     const float facing = static_cast<float>(vessels.facing[pixel]) / 255.0F;
-    const float light = edge ? 1.25F : 0.7F + 0.5F * facing * facing;
+    // What is deeper is darker.
+    const float deep = std::min(1.0F, below / kDarkest);
+    const float light = edge ? 1.25F : 0.5F + 0.7F * facing * facing;
     const cv::Vec3f colour = colours_[vessels.kind[pixel]] * light;
     if (style_.look == Look::contours && !edge) return contour(v, u, pixel, below, colour, fade, gap);
     const float body = outlines_only ? 0.0F : gap ? 0.3F : 0.8F;
-    const cv::Vec4b outside = veil_of(colour, opacity_ * fade * (edge ? 1.0F : body));
+    const cv::Vec4b outside = veil_of(colour * (1.0F - 0.3F * deep), opacity_ * fade * (edge ? 1.0F : body));
     const float inside = window_.at(v, u);
     if (inside <= 0.0F) return outside;
-    // What is deeper is darker; nothing shines through.
-    const float dark = 1.0F - 0.6F * std::min(1.0F, below / kDarkest);
-    const cv::Vec4b solid = veil_of(colour * (dark * (gap ? 0.65F : 1.0F)), 0.97F);
+    // Nothing shines through.
+    const cv::Vec4b solid = veil_of(colour * ((1.0F - 0.6F * deep) * (gap ? 0.65F : 1.0F)), 0.97F);
     return solid * inside + outside * (1.0F - inside);
   }
 

@@ -53,7 +53,6 @@ std::uint8_t kind_of(Label structure) {
 /// A surface on its way into a layer.
 struct Work {
   const DrawableSurface* surface;
-  const SidedTriangles* sided;
   std::size_t layer;
   std::uint8_t kind;
 };
@@ -91,12 +90,11 @@ std::optional<std::size_t> layer_of(Label structure) {
 std::vector<Work> work_of(const DrawableModel& model, const OverlayStyle& style,
                           const std::vector<Label>& lesions) {
   std::vector<Work> all;
-  for (const DrawableSurface& surface : model.surfaces) {
-    const auto layer = layer_of(surface.structure);
-    if (surface.inside.triangles.rows() == 0 || !layer || !is_wanted(surface.structure, style, lesions))
+  for (const DrawableSurface* surface : drawn_surfaces(model, style.thin_branches)) {
+    const auto layer = layer_of(surface->structure);
+    if (surface->inside.triangles.rows() == 0 || !layer || !is_wanted(surface->structure, style, lesions))
       continue;
-    all.push_back({&surface, style.thin_branches ? &surface.inside : &surface.thick, *layer,
-                   kind_of(surface.structure)});
+    all.push_back({surface, *layer, kind_of(surface->structure)});
   }
   return all;
 }
@@ -149,16 +147,16 @@ void draw_layers(const DrawableModel& model, const Points& nodes_in_camera, cons
   side_by_side(kLayers + all.size(), [&](std::size_t i) {
     if (i < kLayers) return raster.clear(*targets[i]);
     const Work& work = all[i - kLayers];
-    raster.project(work.surface->binding.apply(model.model->mesh, nodes_in_camera), work.sided->triangles,
-                   layers.projected[i - kLayers]);
+    raster.project(work.surface->binding.apply(model.model->mesh, nodes_in_camera),
+                   work.surface->inside.triangles, layers.projected[i - kLayers]);
   });
   std::vector<Part> parts = parts_of(all, layers.projected, layers.liver.height);
   side_by_side(parts.size(), [&](std::size_t p) {
     Part& part = parts[p];
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i].layer == part.layer)
-        part.touched.add(
-            raster.fill(layers.projected[i], *all[i].sided, all[i].kind, part.band, *targets[part.layer]));
+        part.touched.add(raster.fill(layers.projected[i], all[i].surface->inside, all[i].kind, part.band,
+                                     *targets[part.layer]));
   });
   for (const Part& part : parts) targets[part.layer]->touched.add(part.touched);
 }

@@ -25,8 +25,6 @@ struct DrawableSurface {
   Binding binding;    ///< empty when the model has no tetrahedra
   /// Triangles within 3 mm of the model's mesh: only there it is known how they move.
   SidedTriangles inside;
-  /// Of these, without thin distal branches: what is under kThin in radius, with all that follows behind it.
-  SidedTriangles thick;
   std::vector<OutsideVertex> outside;  ///< of neighbours and of vessels that run on; not of the liver
 };
 
@@ -38,10 +36,17 @@ inline constexpr double kThin = 1.5e-3;
 struct DrawableModel {
   std::shared_ptr<const PatientModel> model;
   std::vector<DrawableSurface> surfaces;  ///< liver first, then vessels, lesions and neighbours
+  /// Of vessels whose centrelines are known, beside their surfaces: smooth tubes of the same width, without
+  /// thin distal branches (under kThin in radius, with all that follows behind). Bound like the surfaces.
+  std::vector<DrawableSurface> tubes;
 };
 /// @param triangles at most about so many a structure. @pre model is not null.
 std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const PatientModel> model,
                                                    int triangles = 12000);
+
+/// What is drawn over the laparoscope's picture, a surface a structure: tubes stand for their structures'
+/// surfaces, unless thin branches are wanted, too.
+std::vector<const DrawableSurface*> drawn_surfaces(const DrawableModel& model, bool thin_branches);
 
 /// Where a surface's vertices are when a load has moved the model's nodes to `at` (CT frame). Vertices
 /// outside the mesh follow as OutsideVertex says; the gallbladder moves rigidly with its bed.

@@ -34,7 +34,7 @@ struct OverlayStyle {
   bool bold_outline = false;  ///< seen at a glance: where the outline is all that there is
   bool legend = true, status = true;
   bool ruler = true;           ///< from the surface to the chosen lesion
-  bool thin_branches = false;  ///< of vessels, too: see DrawableSurface::thick
+  bool thin_branches = false;  ///< vessels as they were segmented; else DrawableModel::tubes
   Look look = Look::focus;     ///< while nothing is looked at, it is drawn as tubes
   double window = 0.2;         ///< radius of the focus, share of the picture's height, in (0, 1]
   double opacity = 0.85;       ///< of a vessel at the liver's surface, in [0, 1]
