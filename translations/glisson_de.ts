@@ -6215,8 +6215,8 @@
         <translation>An den Saatpunkten wurde keine Lebervene gefunden: Was da war, bleibt.</translation>
     </message>
     <message>
-        <source>%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.</source>
-        <translation>%1: lose Stücke, die im Gefäßmodell fehlen: %2 (%4 ml). Gezeichnet werden sie trotzdem.</translation>
+        <source>%1: loose specks left out of the vessel model: %2 (%4 ml). In 3D they are drawn, over the picture with thin branches only.</source>
+        <translation>%1: lose Stücke, die im Gefäßmodell fehlen: %2 (%4 ml). In 3D werden sie gezeichnet, über dem Bild nur mit dünnen Ästen.</translation>
     </message>
     <message>
         <source>%1: separate trees in the model: %2.</source>

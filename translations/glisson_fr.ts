@@ -6215,8 +6215,8 @@
         <translation>Aucune veine hépatique n&apos;a été trouvée à ses germes : ce qui existait reste.</translation>
     </message>
     <message>
-        <source>%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.</source>
-        <translation>%1 : îlots écartés du modèle des vaisseaux : %2 (%4 ml). Ils restent dessinés.</translation>
+        <source>%1: loose specks left out of the vessel model: %2 (%4 ml). In 3D they are drawn, over the picture with thin branches only.</source>
+        <translation>%1 : îlots écartés du modèle des vaisseaux : %2 (%4 ml). Ils sont dessinés en 3D, sur l&apos;image seulement avec les branches fines.</translation>
     </message>
     <message>
         <source>%1: separate trees in the model: %2.</source>

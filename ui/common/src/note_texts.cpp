@@ -91,7 +91,8 @@ class Notes {
             "again.")},
         {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds: what there was stays.")},
         {"vessels.pieces_dropped",
-         tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
+         tr("%1: loose specks left out of the vessel model: %2 (%4 ml). In 3D they are drawn, over "
+            "the picture with thin branches only.")},
         {"vessels.pieces", tr("%1: separate trees in the model: %2.")},
         {"vessels.branches_pruned",
          tr("Thin side branches left out of the vessel model: %1 (%3 mm together).")},
