@@ -74,6 +74,7 @@ void RegistrationFileTest::ARegistrationsDoubtsTravelWithItsFile() {
   Registration doubted = *state[part::registration];
   doubted.doubts = {"cloud_noisy 6.25 3", "lesion_2.error_large 9.5 8", "little_surface_seen",
                     "rival_chosen 1"};
+  doubted.notes = {"landmarks.not_reviewed", "look.surface lesion_1 left_front 6.0 3.0"};
   doubted.termination = Termination::stalled;
   doubted.residual = 2.5e-3;
   doubted.seen_share = 0.125;
@@ -91,6 +92,7 @@ void RegistrationFileTest::ARegistrationsDoubtsTravelWithItsFile() {
   const Registration read =
       read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
   QCOMPARE(read.doubts, doubted.doubts);
+  QCOMPARE(read.notes, doubted.notes);
   QVERIFY(read.termination == doubted.termination);
   QCOMPARE(read.residual, doubted.residual);
   QCOMPARE(read.seen_share, doubted.seen_share);

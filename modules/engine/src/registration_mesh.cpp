@@ -21,6 +21,7 @@ namespace {
 
 const std::string kDoubt = "doubt_";
 const std::string kDoubts = "doubts";               ///< how many
+const std::string kNote = "note_";                  ///< before its text, which may hold words
 constexpr double kNoValue = -1.0;                   ///< of a doubt: values are not negative
 const std::string kTermination = "termination_";    ///< before its code
 const std::string kCovariance = "_covariance_mm2";  ///< behind a lesion's or a fork's name
@@ -47,6 +48,7 @@ NamedArrays registration_fields(const Registration& registration, const NamedArr
                                            : Eigen::MatrixXd(Eigen::Map<const Eigen::RowVectorXd>(
                                                  values.data(), static_cast<Eigen::Index>(values.size())));
   }
+  for (const std::string& note : registration.notes) fields[kNote + note] = number(1.0);
   for (const LesionSpread& spread : registration.lesions)
     fields[structure_name(spread.lesion) + kCovariance] = 1e6 * spread.covariance;
   for (const ForkSpread& fork : registration.forks) {
@@ -229,6 +231,8 @@ void read_report(const NamedArrays& fields, Registration& registration) {
   for (const auto& [name, array] : fields)
     if (name.starts_with(kDoubt) && array.size() > 0)
       registration.doubts.push_back(doubt_of(name.substr(kDoubt.size()), array, no_value));
+    else if (name.starts_with(kNote))
+      registration.notes.push_back(name.substr(kNote.size()));
 }
 
 }  // namespace

@@ -67,8 +67,8 @@ Landmarks read_landmarks(const std::filesystem::path& path);
 void write_landmarks(const std::filesystem::path& path, const Landmarks& landmarks);
 
 /// What a registration says of itself, so that it is not lost on the way: `residual_mm`, `seen_share`,
-/// `converged`, `doubts` (how many), `doubt_CODE` for each of them (its values; -1: it has none), and
-/// `lesion_N_covariance_mm2` (3 x 3) for each lesion.
+/// `converged`, `doubts` (how many), `doubt_CODE` for each of them (its values; -1: it has none),
+/// `note_TEXT`, and `lesion_N_covariance_mm2` (3 x 3) for each lesion.
 /// @param said more of it; comes before what has the same name.
 NamedArrays registration_fields(const Registration& registration, const NamedArrays& said = {});
 

@@ -71,8 +71,7 @@ struct Registration {
   /// What the method cannot vouch for; codes, not prose ("few_margin_points", "inverted_elements"). Empty:
   /// none.
   std::vector<std::string> doubts;
-  /// What else was noted when it was made ("landmarks.not_reviewed"): codes, too. In a case only, not in a
-  /// mesh of its own.
+  /// What else was noted when it was made ("landmarks.not_reviewed"): codes, too.
   std::vector<std::string> notes;
   /// How far off each lesion may be; a lesion that is not in it: not known.
   std::vector<LesionSpread> lesions;
