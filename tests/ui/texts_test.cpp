@@ -32,8 +32,8 @@ class TextsTest : public QObject {
 void TextsTest::NotesAreSentencesWithTheirValues() {
   QCOMPARE(
       ui::note_text("vessels.pieces_dropped hepatic_veins 14 ml 0.423"),
-      QStringLiteral("Hepatic veins: loose specks left out of the vessel model: 14 (0.42 ml). They are still "
-                     "drawn."));
+      QStringLiteral("Hepatic veins: loose specks left out of the vessel model: 14 (0.42 ml). In 3D they are "
+                     "drawn, over the picture with thin branches only."));
   QCOMPARE(ui::note_text("liver.pieces_dropped 1 ml 0.0135"),
            QStringLiteral("Separate specks of liver were left out: 1 (0.01 ml)."));
   QVERIFY(!ui::note_text("no_notch").contains(QLatin1Char('_')));

@@ -75,9 +75,9 @@ std::vector<ForkSpread> forks_of(const PatientModel& model, const Registration& 
   return spreads;
 }
 
-void turn_errors(Registration& registration, const Points& from, const Points& to) {
-  require(from.rows() == to.rows(), "an organ that has moved has the nodes that it had");
-  const Eigen::Matrix3d turn = fit_rigid_motion(from, to, {}).rotation;
+void turn_errors(Registration& registration, const Points& from_in_camera, const Points& to_in_camera) {
+  require(from_in_camera.rows() == to_in_camera.rows(), "an organ that has moved has the nodes that it had");
+  const Eigen::Matrix3d turn = fit_rigid_motion(from_in_camera, to_in_camera, {}).rotation;
   const auto turned = [&turn](const Eigen::Matrix3d& covariance) -> Eigen::Matrix3d {
     return turn * covariance * turn.transpose();
   };

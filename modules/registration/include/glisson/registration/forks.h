@@ -29,7 +29,7 @@ std::vector<ForkSpread> forks_of(const PatientModel& model, const Registration& 
 /// Turns what is known of a registration's error (lesions, forks, nodes; camera frame) as the organ turns
 /// from one place to another: the rotation of the rigid motion between them that fits best. @pre as many
 /// nodes.
-void turn_errors(Registration& registration, const Points& from, const Points& to);
+void turn_errors(Registration& registration, const Points& from_in_camera, const Points& to_in_camera);
 /// A registration of an organ that has moved since, in the camera's frame of now: what is known of its error
 /// has turned with it. Where else it might have been, which look would have helped and where forces acted
 /// belongs to the registered moment and is left out. @param nodes_in_camera metres.
