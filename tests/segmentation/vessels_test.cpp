@@ -207,6 +207,7 @@ class VesselsTest : public QObject {
   void ATreeTwiceAsBrightIsFound();
   void AHeartThatShinesInIsNoVein();
   void AClickBesideEveryBranchIsTold();
+  void AClickAgainstTheLiverOnAVesselIsTold();
 };
 
 void VesselsTest::CutIsAsCheapAsTheCheapestOfAll() {
@@ -427,6 +428,22 @@ void VesselsTest::AClickBesideEveryBranchIsTold() {
   };
   QCOMPARE(of_clicks(found.report.notes), 1);
   QCOMPARE(of_clicks(p.found(p.roots(), p.liver).report.notes), 0);
+}
+
+void VesselsTest::AClickAgainstTheLiverOnAVesselIsTold() {
+  Phantom::Setting setting;
+  setting.liver_from = 38.0;
+  const Phantom p(1, setting);
+  Seeds seeds = p.trunk_and_branches();
+  // In fat; on the trunk, 20 mm before the liver, where it takes no part of that; in a branch in the liver.
+  seeds.background = p.at({{20, 15, 10}, {54, 48, 18}, {39.5, 48, 51}});
+  const Segmented found = p.found(seeds, p.liver);
+  QCOMPARE(found.labels.voxels.at({39, 34, 15}), structure::kPortalVein);
+  const std::vector<std::string>& notes = found.report.notes;
+  QVERIFY(tells(found, "seed.not_liver_taken 3 portal_vein"));
+  QCOMPARE(std::count_if(notes.begin(), notes.end(),
+                         [](const std::string& note) { return note.starts_with("seed."); }),
+           1);
 }
 
 QTEST_APPLESS_MAIN(VesselsTest)

@@ -54,10 +54,11 @@ std::optional<std::string> region_note(const VolumeGrid& grid, const std::vector
   return "liver.cut_by_region " + std::to_string(std::lround(1e-2 * cut));
 }
 
-SegmentationReport report_of(const Image& image, const LabelMap& labels, const Seeds& seeds,
+/// @param liver as inside_liver() has it.
+SegmentationReport report_of(const Image& image, const LabelMap& labels,
+                             const std::vector<std::uint8_t>& liver, const Seeds& seeds,
                              const std::optional<Eigen::AlignedBox3d>& region) {
   SegmentationReport report;
-  const std::vector<std::uint8_t> liver = inside_liver(labels);
   report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
                     labels.voxels.grid().voxel_volume_mm3();
   const VolumeGrid& grid = labels.voxels.grid();
@@ -124,29 +125,41 @@ void note_doubtful(const Painting& painting, const Doubtful& doubtful, Segmentat
     report.notes.push_back("liver.perhaps_more " + std::to_string(std::lround(doubtful.ml)));
 }
 
-/// Clicks for and against the liver that the labels do not follow, by number and with the reason.
-/// @param seeds all of them, by whose numbers a person knows them. @param region those outside were not
-/// asked.
-void note_clicks(const Painting& painting, const Seeds& seeds,
-                 const std::optional<Eigen::AlignedBox3d>& region, SegmentationReport& report) {
-  const auto label_at = [&](const Points& points, Eigen::Index n) -> std::optional<Label> {
-    const auto voxel = voxel_in(painting.grid, region, points.row(n).transpose());
-    if (!voxel) return {};
-    return painting.labels[static_cast<std::size_t>(painting.grid.offset(*voxel))];
-  };
-  for (Eigen::Index n = 0; n < seeds.liver.rows(); ++n) {
-    const auto found = label_at(seeds.liver, n);
-    if (!found || is_in_liver(*found)) continue;
-    const Label label = *found;
+/// What lies at a click. Empty: it is not in the region, whose clicks alone were asked.
+std::optional<Label> label_at(const Outcome& outcome, const Points& clicks, Eigen::Index n) {
+  const auto voxel = voxel_in(outcome.painting.grid, outcome.region, clicks.row(n).transpose());
+  if (!voxel) return {};
+  return outcome.painting.labels[static_cast<std::size_t>(outcome.painting.grid.offset(*voxel))];
+}
+
+/// Clicks for the liver that the labels do not follow, by number and with the reason.
+void note_liver_clicks(const Outcome& outcome, SegmentationReport& report) {
+  const Points& clicks = outcome.all_seeds.liver;
+  for (Eigen::Index n = 0; n < clicks.rows(); ++n) {
+    const auto label = label_at(outcome, clicks, n);
+    if (!label || is_in_liver(*label)) continue;
     const std::string number = " " + std::to_string(n + 1);
-    if (label != structure::kBackground)
-      report.notes.push_back("seed.liver_taken" + number + " " + structure_name(label));
+    if (*label != structure::kBackground)
+      report.notes.push_back("seed.liver_taken" + number + " " + structure_name(*label));
     else
       report.notes.push_back("seed.liver_apart" + number);
   }
-  for (Eigen::Index n = 0; n < seeds.background.rows(); ++n) {
-    const auto label = label_at(seeds.background, n);
-    if (label && is_liver_tissue(*label))
+}
+
+/// The same of those against it. A vessel in the liver counts as liver, outside of it a click says nothing of
+/// it. @param whole the grid of `liver`. @param liver as inside_liver() has it.
+void note_clicks_against(const Outcome& outcome, const VolumeGrid& whole,
+                         const std::vector<std::uint8_t>& liver, SegmentationReport& report) {
+  const Points& clicks = outcome.all_seeds.background;
+  for (Eigen::Index n = 0; n < clicks.rows(); ++n) {
+    const auto label = label_at(outcome, clicks, n);
+    if (!label || !is_in_liver(*label)) continue;
+    const bool is_new = outcome.anew.liver ||
+                        (*label == structure::kPortalVein && outcome.found.portal_vein) ||
+                        (*label == structure::kHepaticVeins && outcome.found.hepatic_veins);
+    const auto voxel = voxel_in(whole, std::nullopt, clicks.row(n).transpose());
+    const bool is_enclosed = voxel && liver[static_cast<std::size_t>(whole.offset(*voxel))] != 0;
+    if (is_new && (is_enclosed || is_liver_tissue(*label)))
       report.notes.push_back("seed.not_liver_taken " + std::to_string(n + 1) + " " + structure_name(*label));
   }
 }
@@ -184,8 +197,9 @@ SegmentationReport report_on(const Image& whole, const LabelMap& labels, const O
   const Structures &anew = outcome.anew, &found = outcome.found;
   const Seeds& all = outcome.all_seeds;
   const Bodies& bodies = outcome.bodies;
+  const std::vector<std::uint8_t> liver = inside_liver(labels);
   SegmentationReport report =
-      report_of(whole, labels, outcome.seeds, anew.liver ? outcome.region : std::nullopt);
+      report_of(whole, labels, liver, outcome.seeds, anew.liver ? outcome.region : std::nullopt);
   note_doubts(outcome.seeds, anew, found, bodies, outcome.trees, report);
   if (found.portal_vein)
     note_tree_clicks(outcome, all.portal_vein, structure::kPortalVein, "portal_vein", report);
@@ -195,9 +209,10 @@ SegmentationReport report_on(const Image& whole, const LabelMap& labels, const O
        bright_lesion_notes(outcome.image, outcome.painting, bodies.lesions.size(), bodies.parenchyma))
     report.notes.push_back(std::move(note));
   if (!outcome.region) note_sizes(labels.voxels, found, report);
+  note_clicks_against(outcome, whole.grid, liver, report);
   if (!anew.liver) return report;
   note_doubtful(outcome.painting, bodies.doubtful, report);
-  note_clicks(outcome.painting, all, outcome.region, report);
+  note_liver_clicks(outcome, report);
   return report;
 }
 
