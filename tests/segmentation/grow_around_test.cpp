@@ -77,6 +77,34 @@ Patient patient() {
   return made;
 }
 
+/// A vein that nobody has labelled, which ends in a vena cava beside the liver, both as bright.
+Label vein_and_cava_at(const Vec& p) {
+  if (to_line(p, {96, 30, 60}, {96, 110, 60}) < 8.0) return structure::kVenaCava;
+  const bool in_liver = p.x() > 10 && p.x() < 90 && p.y() > 10 && p.y() < 130 && p.z() > 10 && p.z() < 110;
+  if (!in_liver) return structure::kBackground;
+  return to_line(p, {45, 70, 60}, {90, 70, 60}) < 4.0 ? kHepatic : structure::kParenchyma;
+}
+
+/// @param knows_cava whether the labels have it, besides the parenchyma.
+Patient vein_and_cava(bool knows_cava) {
+  Patient made;
+  VolumeGrid grid;
+  grid.size = {80, 94, 60};
+  grid.spacing_mm = {1.5, 1.5, 2.0};
+  grid.origin_mm = {-80, -60, 10};
+  std::vector<Label> labels;
+  made.image = test::noisy_ct(grid, 5, 9.0, [&](const Vec& p) {
+    const Label label = vein_and_cava_at(p);
+    const bool is_cava = label == structure::kVenaCava;
+    labels.push_back(is_cava && knows_cava                        ? label
+                     : label == structure::kBackground || is_cava ? structure::kBackground
+                                                                  : structure::kParenchyma);
+    return is_cava ? 185.0 : hounsfield(label);
+  });
+  made.labels = {LabelVolume(grid, labels), {structure_info(structure::kParenchyma)}};
+  return made;
+}
+
 std::vector<std::uint8_t> mask(const LabelMap& labels, Label label) {
   return labels.voxels.mask([&](Label one) { return one == label; });
 }
@@ -105,6 +133,7 @@ class GrowAroundTest : public QObject {
   void OfALesionThatRanOnNothingIsLeft();
   void ABranchJoinsTheTreeAndNothingIsLost();
   void WhereNothingIsNothingChanges();
+  void FromAClickInTheCavaNothingGrows();
   void WhatIsLockedIsSaid();
   void OnlyNewClicksCount();
   void ClicksThatWereSavedAndReadAreNotNew();
@@ -216,6 +245,22 @@ void GrowAroundTest::WhereNothingIsNothingChanges() {
     QCOMPARE(made.labels.voxels.dense(), patient_.labels.voxels.dense());
     QVERIFY(std::count(made.notes.begin(), made.notes.end(), structure_name(structure) + ".not_found") == 1);
   }
+}
+
+/// The cava's wall is a source of the veins, whose own click may be beside all of them.
+void GrowAroundTest::FromAClickInTheCavaNothingGrows() {
+  const Patient p = vein_and_cava(true);
+  const StructureClick in_cava = click_on(p.image, kHepatic, {96, 70, 60});
+  Seeds seeds;
+  seeds.hepatic_veins = test::points_at(p.image, {{60, 70, 60}, {96, 70, 60}});
+  const auto nothing = grow_around(p.image, p.labels, seeds, in_cava, {}, RunContext()).value();
+  QCOMPARE(nothing.voxels_changed, 0L);
+  QCOMPARE(nothing.notes.size(), std::size_t{1});
+  QVERIFY2(nothing.notes[0] == "hepatic_veins.not_found" ||
+               nothing.notes[0] == "hepatic_veins.click_without_effect 2",
+           nothing.notes[0].c_str());
+  const StructureClick in_vein = click_on(p.image, kHepatic, {60, 70, 60});
+  QVERIFY(grow_around(p.image, p.labels, seeds, in_vein, {}, RunContext())->voxels_changed > 100);
 }
 
 void GrowAroundTest::WhatIsLockedIsSaid() {

@@ -236,10 +236,8 @@ void paint(const Scene& scene, const Mask& changed, const Click& click, const st
 
 /// The click's number in its list, from 1.
 std::string number_of(const Click& click, const Seeds& seeds) {
-  const Points& points = click.is_liver ? seeds.liver : seeds.background;
-  for (Eigen::Index n = 0; n < points.rows(); ++n)
-    if (points.row(n).transpose() == click.p_in_ct.xyz) return std::to_string(n + 1);
-  return std::to_string(points.rows() + 1);
+  return std::to_string(
+      click_number(click.is_liver ? seeds.liver : seeds.background, click.p_in_ct.xyz.transpose()));
 }
 
 /// What keeps a click from binding: another structure lies there, or what is locked.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "glisson/core/error.h"
 #include "lesions.h"
@@ -37,6 +36,7 @@ Question question_of(const Seeds& seeds, const StructureClick& click, const std:
   Question question;
   question.options.structures = kNoStructures;
   question.options.locked = locked;
+  question.options.veins_from_cava = false;  // nobody has clicked the others
   const Points here = click.p_in_ct.xyz.transpose();
   if (is_lesion(click.structure)) {
     const std::size_t n = number_of(click.structure);
@@ -98,6 +98,32 @@ void clear_beyond(const VoxelBox& box, const StructureClick& click, CorrectedAro
   }
 }
 
+/// What the search in the part says of the structure; of its few labels others say nothing, its liver is small.
+/// The click has its number in the seeds.
+std::vector<std::string> notes_of(const std::vector<std::string>& told, const StructureClick& click,
+                                  const Seeds& seeds) {
+  const std::string code = structure_name(click.structure);
+  const std::string in_vain = code + ".click_without_effect ";
+  std::vector<std::string> notes;
+  for (const std::string& note : told) {
+    if (note.rfind(code + ".", 0) != 0) continue;
+    const bool numbered = !is_lesion(click.structure) && note.rfind(in_vain, 0) == 0;
+    notes.push_back(numbered ? in_vain + std::to_string(click_number(clicks_of(seeds, click.structure),
+                                                                     click.p_in_ct.xyz.transpose()))
+                             : note);
+  }
+  return notes;
+}
+
+/// Whether the click has led to anything.
+bool has_effect(const std::vector<std::string>& notes, const StructureClick& click) {
+  const std::string code = structure_name(click.structure);
+  return std::none_of(notes.begin(), notes.end(), [&](const std::string& note) {
+    return note == code + ".not_found" ||
+           (!is_lesion(click.structure) && note.rfind(code + ".click_without_effect", 0) == 0);
+  });
+}
+
 /// Puts what was found in a part of the image into the labels.
 void paste(const LabelMap& found, const VoxelBox& box, const StructureClick& click, CorrectedAround& result) {
   const LabelVolume& labels = result.labels.voxels;
@@ -141,7 +167,6 @@ Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& lab
                                          const RunContext& context) {
   check(image, labels, click, locked);
   CorrectedAround result{labels, 0.0, 0, {}};
-  const std::string code = structure_name(click.structure);
   const Question question = question_of(seeds, click, locked);
   const VoxelBox box =
       box_around(image.grid,
@@ -151,7 +176,7 @@ Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& lab
   const LabelMap kept = part_of(labels, box);
   const std::vector<long> there = kept.voxels.histogram();
   if (there.size() <= structure::kParenchyma || there[structure::kParenchyma] == 0) {
-    result.notes.push_back(code + ".not_found");
+    result.notes.push_back(structure_name(click.structure) + ".not_found");
     return result;
   }
   // By the whole of an MRI: the part around a click may hold neither fat nor air.
@@ -161,11 +186,8 @@ Cancellable<CorrectedAround> grow_around(const Image& image, const LabelMap& lab
   const auto found =
       segment(part_of(*on_scale, box), question.seeds, question.options, context.part(scaled, 1.0), &kept);
   if (!found) return std::nullopt;
-  // Of the part alone the others say nothing: its liver is small.
-  std::copy_if(found->report.notes.begin(), found->report.notes.end(), std::back_inserter(result.notes),
-               [&](const std::string& note) { return note.rfind(code + ".", 0) == 0; });
-  if (std::find(result.notes.begin(), result.notes.end(), code + ".not_found") != result.notes.end())
-    return result;
+  result.notes = notes_of(found->report.notes, click, seeds);
+  if (!has_effect(result.notes, click)) return result;
   paste(found->labels, box, click, result);
   if (result.voxels_changed > 0) name_structure(click.structure, result.labels);
   return result;

@@ -131,7 +131,8 @@ struct FoundVessels {
 };
 
 Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, const Bodies& bodies,
-                                     const Structures& anew, const Kept* kept, const RunContext& context) {
+                                     const Structures& anew, const Kept* kept, bool from_cava,
+                                     const RunContext& context) {
   FoundVessels found;
   if (!anew.portal_vein && !anew.hepatic_veins) return found;
   Mask everything = bodies.liver;
@@ -145,6 +146,7 @@ Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, con
   if (context.cancelled()) return std::nullopt;
   const Field& fine = found.grid;
   VesselSeeds roots;
+  roots.from_cava = from_cava;
   if (anew.portal_vein) roots.portal = voxels_of(image.grid, fine, seeds.portal_vein);
   if (anew.hepatic_veins) roots.hepatic = voxels_of(image.grid, fine, seeds.hepatic_veins);
   Mask barred = fine.empty_mask();
@@ -328,7 +330,8 @@ Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
     throw InputError("seeds", "liver", "grow to nothing: the clicks do not lie in liver tissue",
                      "Click inside the parenchyma, away from vessels and lesions");
   if (anew.liver) view.finish(bodies->liver_phi);
-  const auto vessels = find_trees(image, seeds, *bodies, anew, kept, context.part(0.6, 0.95));
+  const auto vessels =
+      find_trees(image, seeds, *bodies, anew, kept, options.veins_from_cava, context.part(0.6, 0.95));
   if (!vessels) return std::nullopt;
   context.progress(0.95, "segmentation.finish");
 

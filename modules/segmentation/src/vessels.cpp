@@ -241,7 +241,7 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
                                   const RunContext& context) {
   Vessels vessels{ct.empty_mask(), ct.empty_mask()};
   const VesselSeeds seeds{seen(ct, clicked.portal, parenchyma, vessels.portal_is_faint),
-                          seen(ct, clicked.hepatic, parenchyma, vessels.hepatic_is_faint)};
+                          seen(ct, clicked.hepatic, parenchyma, vessels.hepatic_is_faint), clicked.from_cava};
   if (seeds.portal.empty() && seeds.hepatic.empty()) return vessels;
   const Mask region = search_region(ct, liver, cava, barred, seeds);
   const auto tubes = tubeness(without_darker(ct, parenchyma), region,
@@ -286,7 +286,8 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
   // The hepatic veins drain into the cava: its wall is a source of theirs.
   const Mask wall = dilated(cava, 1.5 * ct.spacing_mm.maxCoeff());
   for (std::size_t i = 0; i < wall.voxels.size(); ++i)
-    if (!seeds.hepatic.empty() && wall.voxels[i] != 0 && candidates.voxels[i] != 0 && liver.voxels[i] != 0)
+    if (seeds.from_cava && !seeds.hepatic.empty() && wall.voxels[i] != 0 && candidates.voxels[i] != 0 &&
+        liver.voxels[i] != 0)
       hepatic.push_back(i);
   const auto owner = split_trees(ct, candidates, brightness, portal, hepatic, context);
   if (!owner) return std::nullopt;

@@ -14,6 +14,7 @@ constexpr double kBesideVessel = 5.0;
 
 struct VesselSeeds {
   std::vector<Eigen::Vector3i> portal, hepatic;  ///< voxels of the field
+  bool from_cava = true;  ///< where hepatic veins were clicked, others grow from the cava's wall
 };
 
 struct Vessels {
@@ -31,8 +32,8 @@ Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
 
 /// Both venous trees. Candidates are bright or tubular; what the seeds reach through them is parted between
 /// the trees by split_trees().
-/// @param ct lightly smoothed, about 1 mm. @param liver filled. @param cava a source of the hepatic veins;
-/// they end there. @param barred structures that no vessel runs through.
+/// @param ct lightly smoothed, about 1 mm. @param liver filled. @param cava a source of the hepatic veins
+/// (see VesselSeeds::from_cava); they end there. @param barred structures that no vessel runs through.
 Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava, const Mask& barred,
                                   const Tissue& parenchyma, const VesselSeeds& seeds,
                                   const RunContext& context);

@@ -73,6 +73,8 @@ struct SegmentationOptions {
   /// known. With the parenchyma locked, the vessels and lesions in it stay, too. Without such labels they
   /// stay empty.
   std::vector<Label> locked;
+  /// Whether hepatic veins grow from the wall of the vena cava, too, besides their clicks.
+  bool veins_from_cava = true;
   /// @throws InputError naming the option.
   void validate() const;
 };
