@@ -134,6 +134,7 @@ class GrowAroundTest : public QObject {
   void ABranchJoinsTheTreeAndNothingIsLost();
   void WhereNothingIsNothingChanges();
   void FromAClickInTheCavaNothingGrows();
+  void OfTheWholeNothingIsToldByAPart();
   void WhatIsLockedIsSaid();
   void OnlyNewClicksCount();
   void ClicksThatWereSavedAndReadAreNotNew();
@@ -261,6 +262,19 @@ void GrowAroundTest::FromAClickInTheCavaNothingGrows() {
            nothing.notes[0].c_str());
   const StructureClick in_vein = click_on(p.image, kHepatic, {60, 70, 60});
   QVERIFY(grow_around(p.image, p.labels, seeds, in_vein, {}, RunContext())->voxels_changed > 100);
+}
+
+/// Of the whole it is told that the vena cava should be clicked; in a part it may only lie beside.
+void GrowAroundTest::OfTheWholeNothingIsToldByAPart() {
+  const Patient p = vein_and_cava(false);
+  const StructureClick click = click_on(p.image, kHepatic, {60, 70, 60});
+  const auto made = grow_around(p.image, p.labels, {}, click, {}, RunContext()).value();
+  const std::vector<std::uint8_t> liver = inside_liver(made.labels), veins = mask(made.labels, kHepatic);
+  long beyond = 0;
+  for (std::size_t i = 0; i < veins.size(); ++i) beyond += veins[i] != 0 && liver[i] == 0;
+  QVERIFY2(1e-3 * static_cast<double>(beyond) * p.image.grid.voxel_volume_mm3() > 5.0,
+           qPrintable(QString::number(beyond)));
+  QVERIFY2(made.notes.empty(), made.notes.empty() ? "" : made.notes[0].c_str());
 }
 
 void GrowAroundTest::WhatIsLockedIsSaid() {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "lesions.h"
 #include "mr_scale.h"
 #include "part.h"
@@ -98,15 +99,15 @@ void clear_beyond(const VoxelBox& box, const StructureClick& click, CorrectedAro
   }
 }
 
-/// What the search in the part says of the structure; of its few labels others say nothing, its liver is small.
-/// The click has its number in the seeds.
+/// What the search in the part says of the structure, but for what it can tell of the whole alone: of its
+/// few labels the liver is small, and the vena cava may lie beside it. The click has its number in the seeds.
 std::vector<std::string> notes_of(const std::vector<std::string>& told, const StructureClick& click,
                                   const Seeds& seeds) {
   const std::string code = structure_name(click.structure);
   const std::string in_vain = code + ".click_without_effect ";
   std::vector<std::string> notes;
   for (const std::string& note : told) {
-    if (note.rfind(code + ".", 0) != 0) continue;
+    if (note.rfind(code + ".", 0) != 0 || is_told_of_the_whole(note)) continue;
     const bool numbered = !is_lesion(click.structure) && note.rfind(in_vain, 0) == 0;
     notes.push_back(numbered ? in_vain + std::to_string(click_number(clicks_of(seeds, click.structure),
                                                                      click.p_in_ct.xyz.transpose()))

@@ -17,10 +17,6 @@ constexpr std::array<std::string_view, 6> kToldEachTime = {"liver.cut_off",
                                                            "hepatic_veins.hold_cava",
                                                            "hepatic_veins.beside_cava"};
 
-bool is_told_each_time(std::string_view code) {
-  return code.starts_with("image.") || std::ranges::find(kToldEachTime, code) != kToldEachTime.end();
-}
-
 /// What a note is about; background: no single structure.
 Label structure_of(std::string_view code) {
   const std::string_view of = code.substr(0, code.find('.'));
@@ -30,11 +26,16 @@ Label structure_of(std::string_view code) {
 
 }  // namespace
 
+bool is_told_of_the_whole(const std::string& note) {
+  const std::string_view code = std::string_view(note).substr(0, note.find(' '));
+  return code.starts_with("image.") || std::ranges::find(kToldEachTime, code) != kToldEachTime.end();
+}
+
 std::vector<std::string> with_kept_notes(const std::vector<std::string>& former, const PartlyAnew& anew,
                                          std::vector<std::string> told) {
   const auto holds = [&](const std::string& note) {
     const std::string_view code = std::string_view(note).substr(0, note.find(' '));
-    if (anew.is_whole && is_told_each_time(code)) return false;
+    if (anew.is_whole && is_told_of_the_whole(note)) return false;
     if (!anew.is_kept(structure_of(code)) || (anew.is_answered && anew.is_answered(note))) return false;
     return std::ranges::find(told, note) == told.end();
   };

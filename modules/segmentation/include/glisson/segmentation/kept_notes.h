@@ -21,6 +21,9 @@ struct PartlyAnew {
   std::function<bool(const std::string& note)> is_answered = {};
 };
 
+/// Whether each report on all labels tells of it anew; of a part of them it says nothing.
+bool is_told_of_the_whole(const std::string& note);
+
 /// What is told of such labels: what was told then, behind those notes of the former labels that hold still.
 /// @param former of the former labels. What a whole report tells each time (volumes, borders, sides, the
 ///   image) is taken from that.
