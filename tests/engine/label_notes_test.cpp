@@ -18,6 +18,7 @@
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/seeds.h"
 #include "glisson/volume/io.h"
 #include "labelled_ct.h"
 
@@ -52,7 +53,9 @@ class LabelNotesTest : public QObject {
  private slots:
   void init();
   void TheyComeBackWithTheCase();
+  void TheyFollowTheirClicks();
   void AClickThatCorrectsTakesNoneAway();
+  void WhatTheLabelsAnswerGoesWithACorrection();
   void TheyGoBackAndForthWithTheSteps();
   void WhatIsToldOfAKeptLiverOutlastsANewSearchInIt();
   void WhatLiesOutsideOfARegionOrIsLockedIsToldStill();
@@ -93,6 +96,44 @@ void LabelNotesTest::TheyComeBackWithTheCase() {
   QCOMPARE(told(), before);
 }
 
+void LabelNotesTest::TheyFollowTheirClicks() {
+  const Notes before = told();
+  const auto of_seeds = [&] {
+    Notes now = told();
+    std::erase_if(now, [](const std::string& note) { return !note.starts_with("seed."); });
+    return now;
+  };
+  const segmentation::Seeds both = *engine_->snapshot()->state[part::seeds];
+  segmentation::Seeds second = both, first = both;
+  second.liver = both.liver.bottomRows(1);
+  first.liver = both.liver.topRows(1);
+  QCOMPARE(run(SetSeeds{second}).status, Status::done);
+  QCOMPARE(of_seeds(), Notes{"seed.liver_apart 1"});
+  QCOMPARE(run(SaveCase{path("a.glisson")}).status, Status::done);
+  QCOMPARE(run(OpenCase{path("a.glisson")}).status, Status::done);
+  QCOMPARE(of_seeds(), Notes{"seed.liver_apart 1"});
+  QCOMPARE(run(SetSeeds{first}).status, Status::done);
+  QCOMPARE(of_seeds(), Notes{});
+  // An edit in between does not lose it.
+  QCOMPARE(run(EditLabels{ball({-80, 0, 39}, 9)}).status, Status::done);
+  QCOMPARE(run(SetSeeds{both}).status, Status::done);
+  QCOMPARE(told(), before);
+}
+
+void LabelNotesTest::WhatTheLabelsAnswerGoesWithACorrection() {
+  // A hand joins what lies around the seed to the liver; then another click is followed.
+  QCOMPARE(run(EditLabels{ball({-80, 46, 0}, 9)}).status, Status::done);
+  QVERIFY(tells(told(), "seed.liver_apart 2"));
+  const CorrectAround click{{{Point<CtFrame>(kMiddle + Eigen::Vector3d(0.0, 0.0, 0.03)), false}},
+                            *engine_->snapshot()->state[part::seeds],
+                            {}};
+  const Outcome corrected = run(click);
+  QVERIFY2(corrected.status == Status::done, corrected.error.c_str());
+  QVERIFY(!tells(told(), "seed.liver_apart 2") && tells(told(), "liver.small"));
+  QCOMPARE(run(UndoLabels{}).status, Status::done);
+  QVERIFY(tells(told(), "seed.liver_apart 2"));
+}
+
 void LabelNotesTest::AClickThatCorrectsTakesNoneAway() {
   const Notes before = told();
   CorrectAround click{{{Point<CtFrame>(kMiddle + Eigen::Vector3d(0.0, 0.0, 0.03)), false}}, {}, {}};
@@ -122,8 +163,7 @@ void LabelNotesTest::TheyGoBackAndForthWithTheSteps() {
 }
 
 void LabelNotesTest::WhatIsToldOfAKeptLiverOutlastsANewSearchInIt() {
-  segmentation::Seeds seeds;
-  seeds.liver = at_middle();
+  segmentation::Seeds seeds = *engine_->snapshot()->state[part::seeds];
   seeds.lesions = {at_middle()};
   QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
   Segment lesions = coarse();
@@ -136,6 +176,8 @@ void LabelNotesTest::WhatIsToldOfAKeptLiverOutlastsANewSearchInIt() {
   QCOMPARE(std::count(now.begin(), now.end(), "liver.small"), 1);
   QCOMPARE(now, outcome.notes);
   // Found anew, it is told of anew.
+  seeds.liver = at_middle();
+  QCOMPARE(run(SetSeeds{seeds}).status, Status::done);
   QCOMPARE(run(coarse()).status, Status::done);
   QVERIFY(!tells(told(), "seed.liver_apart 2") && tells(told(), "liver.small"));
 }

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "glisson/segmentation/segment.h"
 #include "noisy_ct.h"
 #include "points_at.h"
@@ -202,10 +203,13 @@ void ClicksTest::ALobeThatIsLeftOutIsTold() {
   const Segmented half = segmented(image, seeds);
   QCOMPARE(label_at(half, second), structure::kBackground);
   QVERIFY(has_note(half, "liver.perhaps_more 1"));
+  const auto doubt = std::ranges::find_if(
+      half.report.notes, [](const std::string& note) { return note.starts_with("liver.perhaps_more"); });
   seeds.liver = test::points_at(image, {{30, 55, 48}, {42, 70, 58}, {98, 55, 48}});
   const Segmented whole = segmented(image, seeds);
   QCOMPARE(label_at(whole, second), structure::kParenchyma);
   QVERIFY(!has_note(whole, "liver.perhaps_more"));
+  QVERIFY(!is_settled(*doubt, half.labels) && is_settled(*doubt, whole.labels));
 }
 
 void ClicksTest::ANotLiverClickBinds() {

@@ -10,6 +10,8 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/review.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "steps/segment.h"
 #include "steps/segment_around_hand.h"
 
@@ -31,6 +33,12 @@ editing::History history_or_none(const CaseState& state) {
   return state[part::history] ? *state[part::history] : editing::History();
 }
 
+/// Notes that hold when other seeds come.
+std::vector<std::string> placed(std::vector<std::string> notes, const CaseState& state) {
+  const auto& seeds = state[part::seeds];
+  return seeds ? segmentation::with_places(std::move(notes), *seeds) : notes;
+}
+
 /// Puts labels in place, with their figures and what is told of them; preview and offer were of others.
 void put_labels(CaseState& state, FoundLabels made, editing::History history) {
   LabelMap& labels = made.labels;
@@ -39,7 +47,8 @@ void put_labels(CaseState& state, FoundLabels made, editing::History history) {
   state[part::statistics] = std::make_shared<const segmentation::LabelStatistics>(
       labels, measurable ? image.get() : nullptr, state[part::statistics].get());
   state[part::labels] = std::make_shared<const LabelMap>(std::move(labels));
-  state[part::label_notes] = std::make_shared<const std::vector<std::string>>(std::move(made.notes));
+  state[part::label_notes] =
+      std::make_shared<const std::vector<std::string>>(placed(std::move(made.notes), state));
   state[part::history] = std::make_shared<const editing::History>(std::move(history));
   state[part::preview] = nullptr;
   state[part::offer] = nullptr;
@@ -52,7 +61,7 @@ std::set<Label> step_to(CaseState& state, const LabelMap& before, FoundLabels af
   std::set<Label> touched = labels_touched(changes);
   editing::History history =
       history_or_none(state).with({name, std::move(changes), before.infos, after.labels.infos, gesture,
-                                   told_of_labels(state), after.notes});
+                                   kept_notes(state), placed(after.notes, state)});
   put_labels(state, std::move(after), std::move(history));
   return touched;
 }

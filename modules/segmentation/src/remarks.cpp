@@ -6,6 +6,7 @@
 
 #include "bright_lesions.h"
 #include "glisson/patient/cut_organ.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "part.h"
 
 namespace glisson::segmentation {
@@ -90,8 +91,8 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& f
                  const Vessels& trees, SegmentationReport& report) {
   if (trees.portal_is_faint) report.notes.emplace_back("portal_vein.faint");
   if (trees.hepatic_is_faint) report.notes.emplace_back("hepatic_veins.faint");
-  if (report.liver_ml < 400.0) report.notes.emplace_back("liver.small");
-  if (report.liver_ml > 4000.0) report.notes.emplace_back("liver.large");
+  if (report.liver_ml < kSmallLiver) report.notes.emplace_back("liver.small");
+  if (report.liver_ml > kLargeLiver) report.notes.emplace_back("liver.large");
   const auto is_missing = [&](bool Structures::*one) { return anew.*one && !(found.*one); };
   if (is_missing(&Structures::portal_vein) || (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0))
     report.notes.emplace_back("portal_vein.not_found");
@@ -122,7 +123,8 @@ void note_doubtful(const Painting& painting, const Doubtful& doubtful, Segmentat
   const Eigen::Vector3i voxel =
       doubtful.at_index.array().round().matrix().cast<int>().cwiseMax(0).cwiseMin(last);
   if (painting.labels[static_cast<std::size_t>(painting.grid.offset(voxel))] == structure::kBackground)
-    report.notes.push_back("liver.perhaps_more " + std::to_string(std::lround(doubtful.ml)));
+    report.notes.push_back("liver.perhaps_more " + std::to_string(std::lround(doubtful.ml)) +
+                           place_text(painting.grid.p_in_ct(voxel.cast<double>()).xyz));
 }
 
 /// What lies at a click. Empty: it is not in the region, whose clicks alone were asked.

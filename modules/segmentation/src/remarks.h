@@ -7,6 +7,9 @@
 
 namespace glisson::segmentation {
 
+/// A liver outside of these is told, ml.
+constexpr double kSmallLiver = 400.0, kLargeLiver = 4000.0;
+
 /// How a segmentation came about, as far as its report needs it.
 struct Outcome {
   const Image& image;       ///< what was segmented, on the scale of a CT, on the painting's grid

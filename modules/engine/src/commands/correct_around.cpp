@@ -73,8 +73,9 @@ void put(CaseState& state, const CorrectAround& command, Corrected made) {
   for (const segmentation::StructureClick& click : command.grown) grown.insert(click.structure);
   segmentation::PartlyAnew anew;
   anew.is_kept = [&](Label label) { return !grown.contains(label); };
-  std::vector<std::string> notes =
-      segmentation::with_kept_notes(told_of_labels(state), anew, std::move(made.notes));
+  anew.is_answered = [&](const std::string& note) { return segmentation::is_settled(note, made.labels); };
+  std::vector<std::string> notes = segmentation::with_kept_notes(
+      kept_notes(state), anew, segmentation::with_places(std::move(made.notes), command.seeds));
   put_edited_labels(state, *before, {std::move(made.labels), std::move(notes)},
                     step::correct_around.name(label_of(command)), 0);
 }

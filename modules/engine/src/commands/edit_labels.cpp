@@ -25,7 +25,7 @@ void put(CaseState& state, const LabelMap& before, const EditLabels& command, ed
   if (made.voxels_changed == 0)
     state[part::preview] = nullptr;
   else
-    put_edited_labels(state, before, {std::move(made.labels), told_of_labels(state)},
+    put_edited_labels(state, before, {std::move(made.labels), kept_notes(state)},
                       editing::step_name(command.edit), command.gesture);
 }
 

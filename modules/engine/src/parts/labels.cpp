@@ -6,6 +6,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/review.h"
+#include "glisson/segmentation/kept_notes.h"
 #include "glisson/volume/io.h"
 
 namespace glisson::engine {
@@ -23,7 +24,7 @@ json save(const CaseState& state, const CaseFolder& folder) {
     fs::create_directory(folder.path / "history");
     editing::write_history(folder.path / "history", *state[part::history]);
   }
-  return {{"notes", told_of_labels(state)}};
+  return {{"notes", kept_notes(state)}};
 }
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
@@ -46,15 +47,20 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
 
 bool same(const CaseState& written, const CaseState& read) {
   return read[part::labels]->voxels == written[part::labels]->voxels &&
-         told_of_labels(read) == told_of_labels(written) &&
+         kept_notes(read) == kept_notes(written) &&
          (!has_steps(written) ||
           (has_steps(read) && read[part::history]->steps().size() == written[part::history]->steps().size()));
 }
 
 }  // namespace
 
-std::vector<std::string> told_of_labels(const CaseState& state) {
+std::vector<std::string> kept_notes(const CaseState& state) {
   return state[part::label_notes] ? *state[part::label_notes] : std::vector<std::string>();
+}
+
+std::vector<std::string> told_of_labels(const CaseState& state) {
+  const auto& seeds = state[part::seeds];
+  return segmentation::with_numbers(kept_notes(state), seeds ? *seeds : segmentation::Seeds());
 }
 
 const PartOf<editing::History> part::history{{.code = "history"}};

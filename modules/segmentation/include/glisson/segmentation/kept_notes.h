@@ -24,6 +24,19 @@ struct PartlyAnew {
 /// Whether each report on all labels tells of it anew; of a part of them it says nothing.
 bool is_told_of_the_whole(const std::string& note);
 
+/// " @x,y,z", LPS mm: the end of a note on a place. @param p_in_ct metres.
+std::string place_text(const Eigen::Vector3d& p_in_ct);
+/// Notes that are kept beside seeds that may change. Those that name a click by its number ("seed.liver_apart
+/// 4") get its place behind it (see place_text()); those that have one, or whose click is not among the
+/// seeds, stay as they are.
+std::vector<std::string> with_places(std::vector<std::string> notes, const Seeds& seeds);
+/// The same notes by the numbers that the clicks have in these seeds, without their places; what is told of a
+/// click that is not among them is left out.
+std::vector<std::string> with_numbers(const std::vector<std::string>& notes, const Seeds& seeds);
+/// Whether the labels show that a note with a place holds no more: the click that was without effect has one,
+/// what may be liver is, the liver is as large as one is.
+bool is_settled(const std::string& note, const LabelMap& labels);
+
 /// What is told of such labels: what was told then, behind those notes of the former labels that hold still.
 /// @param former of the former labels. What a whole report tells each time (volumes, borders, sides, the
 ///   image) is taken from that.
