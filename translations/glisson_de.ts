@@ -13769,8 +13769,8 @@ Mode %3 bei %4 Abweichungen
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
-        <translation>Warten speichert den Fall mit dem, was dabei entsteht. Abbrechen speichert den Fall, wie er jetzt ist.</translation>
+        <source>Waiting saves the case with what it makes; a segmentation that would change what you corrected by hand waits for your decision then, and the labels are saved as they are. Stopping it saves the case as it is now.</source>
+        <translation>Warten speichert den Fall mit dem, was dabei entsteht; eine Segmentierung, die von Hand Korrigiertes ändern würde, wartet dann auf Ihre Entscheidung, und die Labels werden gespeichert, wie sie sind. Abbrechen speichert den Fall, wie er jetzt ist.</translation>
     </message>
     <message>
         <source>Wait, then save</source>

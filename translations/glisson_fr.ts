@@ -13769,8 +13769,8 @@ Mode %3 à %4 écarts types
         <translation>Enregistrer</translation>
     </message>
     <message>
-        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
-        <translation>Attendre enregistre le cas avec ce qui en sort. L’interrompre enregistre le cas tel qu’il est maintenant.</translation>
+        <source>Waiting saves the case with what it makes; a segmentation that would change what you corrected by hand waits for your decision then, and the labels are saved as they are. Stopping it saves the case as it is now.</source>
+        <translation>Attendre enregistre le cas avec ce qui en sort ; une segmentation qui changerait ce que vous avez corrigé à la main attend alors votre décision, et les étiquettes sont enregistrées telles quelles. L’interrompre enregistre le cas tel qu’il est maintenant.</translation>
     </message>
     <message>
         <source>Wait, then save</source>

@@ -239,6 +239,8 @@ void SegmentationOfferTest::SavingWhileItIsGrownKeepsTheCorrections() {
     if (action->shortcut() == QKeySequence(QKeySequence::Save)) action->trigger();
   auto* question = window_->findChild<QMessageBox*>(QStringLiteral("running_work"));
   QVERIFY(question != nullptr);
+  QVERIFY2(question->informativeText().contains("by hand waits for your decision"),
+           qPrintable(question->informativeText()));
   QTest::mouseClick(question->findChild<QPushButton*>(QStringLiteral("wait_for_work")), Qt::LeftButton);
   QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 60000);  // grown and saved
   QVERIFY(settle());

@@ -32,7 +32,9 @@ RunningWork::Wish RunningWork::closing(std::function<void()> then) {
 
 RunningWork::Wish RunningWork::saving(std::function<void()> then) {
   return {tr("Save"),
-          tr("Waiting saves the case with what it makes. Stopping it saves the case as it is now."),
+          tr("Waiting saves the case with what it makes; a segmentation that would change what you corrected "
+             "by hand waits for your decision then, and the labels are saved as they are. Stopping it saves "
+             "the case as it is now."),
           tr("Wait, then save"),
           tr("Stop it and save"),
           tr("Do not save"),
