@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "patient_proof.h"
+#include "patient_proof_trials.h"
 #include "stereo_proof.h"
 
 using namespace glisson;
@@ -49,6 +50,7 @@ class AimsTest : public QObject {
   void ThePageSaysFigureAimAndVerdict();
   void ThePageHoldsNoTimes();
   void ThePageNamesWhatWasAbsent();
+  void ClicksInSilicoDependOnNoCt();
   void AFolderThatCannotBeWrittenIsRefused();
   void OnlyACheckoutHasAPlaceForFigures();
   void EveryAimIsNamedOnce();
@@ -87,6 +89,13 @@ void AimsTest::ThePageSaysFigureAimAndVerdict() {
 void AimsTest::ThePageHoldsNoTimes() {
   const Figures once = {{"dice", 0.95}, {"seconds", 3.0}, {"seconds_segment", 2.0}, {"frame_p50_ms", 9.0}};
   QCOMPARE(page_of(once), page_of({{"dice", 0.95}, {"seconds", 4.0}}));
+}
+
+void AimsTest::ClicksInSilicoDependOnNoCt() {
+  // With both CTs of seed 1, and with the one of all others, they were these.
+  QCOMPARE(clicks_on_pathology(1, 0), std::uint64_t{1003});
+  QCOMPARE(clicks_on_pathology(1, 4), std::uint64_t{1007});
+  QCOMPARE(clicks_on_pathology(2, 0), std::uint64_t{2002});
 }
 
 void AimsTest::ThePageNamesWhatWasAbsent() {

@@ -283,6 +283,9 @@ std::optional<Trial> real_trial(const PatientProofOptions& options, const std::s
   return trial;
 }
 
+/// The same whichever CTs are there. @param number of the CT, from 0.
+std::uint64_t clicks_on_ct(std::uint64_t seed, std::size_t number) { return 1000 * seed + number + 1; }
+
 /// False: cancelled.
 bool run_altered(const Trial& real, std::uint64_t seed, std::uint64_t place, Trials& trials,
                  const RunContext& context) {
@@ -297,15 +300,24 @@ bool run_altered(const Trial& real, std::uint64_t seed, std::uint64_t place, Tri
 
 }  // namespace
 
+std::vector<std::string> tried_cts(std::uint64_t seed) {
+  std::vector<std::string> cts{"ct_ircad1"};
+  if (seed == 1) cts.emplace_back("ct_chaos3");
+  return cts;
+}
+
+std::uint64_t clicks_on_pathology(std::uint64_t seed, std::size_t number) {
+  return clicks_on_ct(seed, tried_cts(seed).size() + number);
+}
+
 bool run_trials(const PatientProofOptions& options, PatientProof& proof, const RunContext& context) {
   Trials trials(proof);
-  std::vector<std::string> reals{"ct_ircad1"};
-  if (options.seed == 1) reals.emplace_back("ct_chaos3");
-  std::uint64_t place = 1000 * options.seed;
-  for (const std::string& name : reals) {
-    const auto trial = real_trial(options, name, proof, context.quiet());
+  const std::vector<std::string> reals = tried_cts(options.seed);
+  for (std::size_t n = 0; n < reals.size(); ++n) {
+    const auto trial = real_trial(options, reals[n], proof, context.quiet());
     if (context.cancelled()) return false;
-    if (trial && !trials.run(*trial, ++place, context.quiet())) return false;
+    const std::uint64_t place = clicks_on_ct(options.seed, n);
+    if (trial && !trials.run(*trial, place, context.quiet())) return false;
     // Alterations need the expert's lesions and vena cava.
     if (trial && !clicked_lesions(trial->truth).empty() &&
         !run_altered(*trial, options.seed, place, trials, context))
@@ -314,13 +326,12 @@ bool run_trials(const PatientProofOptions& options, PatientProof& proof, const R
   const auto pathologies =
       options.synthetic ? insilico::pathologies(options.seed) : std::vector<insilico::Pathology>{};
   for (std::size_t n = 0; n < pathologies.size(); ++n) {
-    ++place;  // each has clicks of its own, whichever are tried
     if (pathologies[n].name.find(options.only) == std::string::npos) continue;
     context.progress(static_cast<double>(n) / static_cast<double>(pathologies.size()), "patient.ct");
     auto made = insilico::make_pathology_ct(pathologies[n], context.quiet());
     if (!made) return false;
     const Trial trial{pathologies[n].name, kSynthetic, std::move(made->ct), std::move(made->truth)};
-    if (!trials.run(trial, place, context.quiet())) return false;
+    if (!trials.run(trial, clicks_on_pathology(options.seed, n), context.quiet())) return false;
   }
   trials.finish();
   return true;
