@@ -9806,6 +9806,14 @@
         <source>List and write the moments of the live view that a case keeps</source>
         <translation>Die Momente der Live-Ansicht, die ein Fall aufhebt, listen und schreiben</translation>
     </message>
+    <message>
+        <source>all trials: ten clicks segmented, longest, s</source>
+        <translation>alle Versuche: zehn Klicks segmentiert, längste Zeit, s</translation>
+    </message>
+    <message>
+        <source>all trials: one more click, longest, s</source>
+        <translation>alle Versuche: ein weiterer Klick, längste Zeit, s</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>

@@ -9806,6 +9806,14 @@
         <source>List and write the moments of the live view that a case keeps</source>
         <translation>Lister et écrire les instants de la vue en direct qu&apos;un cas conserve</translation>
     </message>
+    <message>
+        <source>all trials: ten clicks segmented, longest, s</source>
+        <translation>tous les essais : dix clics segmentés, le plus long, s</translation>
+    </message>
+    <message>
+        <source>all trials: one more click, longest, s</source>
+        <translation>tous les essais : un clic de plus, le plus long, s</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>

@@ -49,8 +49,10 @@ class AimsTest : public QObject {
   void WhatWasNotMeasuredIsNotMet();
   void ThePageSaysFigureAimAndVerdict();
   void ThePageHoldsNoTimes();
+  void ThePageHoldsTimesThatAreAims();
   void ThePageNamesWhatWasAbsent();
   void ClicksInSilicoDependOnNoCt();
+  void UnusedCtsAreNamed();
   void AFolderThatCannotBeWrittenIsRefused();
   void OnlyACheckoutHasAPlaceForFigures();
   void EveryAimIsNamedOnce();
@@ -91,11 +93,37 @@ void AimsTest::ThePageHoldsNoTimes() {
   QCOMPARE(page_of(once), page_of({{"dice", 0.95}, {"seconds", 4.0}}));
 }
 
+void AimsTest::ThePageHoldsTimesThatAreAims() {
+  ProofPage page;
+  page.aims = patient_aims();
+  page.figures = {{"trial_seconds_longest", 16.25}, {"trial_correction_seconds_longest", 1.5}};
+  const TemporaryFolder folder;
+  write_page(folder.path() / "patient.md", page);
+  const std::string text = read_file(folder.path() / "patient.md");
+  QVERIFY(text.find(" | 16.2 | ≤ 15.0 | **not met** |") != std::string::npos);
+  QVERIFY(text.find(" | 1.5 | ≤ 2.0 | met |") != std::string::npos);
+}
+
 void AimsTest::ClicksInSilicoDependOnNoCt() {
   // With both CTs of seed 1, and with the one of all others, they were these.
   QCOMPARE(clicks_on_pathology(1, 0), std::uint64_t{1003});
   QCOMPARE(clicks_on_pathology(1, 4), std::uint64_t{1007});
   QCOMPARE(clicks_on_pathology(2, 0), std::uint64_t{2002});
+}
+
+void AimsTest::UnusedCtsAreNamed() {
+  const TemporaryFolder data;
+  for (const char* name : {"ct_ircad1", "ct_chaos3", "ct_two", "ct_one", "stereo_heart"})
+    fs::create_directory(data.path() / name);
+  QCOMPARE(unused_cts(data.path(), 1), (std::vector<std::string>{"ct_one", "ct_two"}));
+  QCOMPARE(unused_cts(data.path(), 2), (std::vector<std::string>{"ct_chaos3", "ct_one", "ct_two"}));
+  QVERIFY(unused_cts(data.path() / "none", 1).empty());
+  ProofPage page;
+  page.aims = tiny_aims();
+  page.unused = unused_cts(data.path(), 1);
+  write_page(data.path() / "ball.md", page);
+  QVERIFY(read_file(data.path() / "ball.md").find("2 not measured. Not used: `ct_one`, `ct_two`.") !=
+          std::string::npos);
 }
 
 void AimsTest::ThePageNamesWhatWasAbsent() {

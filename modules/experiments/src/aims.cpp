@@ -40,6 +40,13 @@ bool is_time(const std::string& key) {
   return key.find("seconds") != std::string::npos || key.ends_with("_ms");
 }
 
+/// " Not there: `one`, `two`."; empty where there is none.
+std::string listed(const std::string& what, const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? " " + what + ": `" : ", `") + name + "`";
+  return text.empty() ? text : text + ".";
+}
+
 std::string sentence_of(const ProofPage& page) {
   const auto count = [&](Verdict wanted) {
     return std::count_if(page.aims.begin(), page.aims.end(),
@@ -48,10 +55,7 @@ std::string sentence_of(const ProofPage& page) {
   std::string text = std::to_string(count(Verdict::met)) + " of " + std::to_string(page.aims.size()) +
                      " aims met, " + std::to_string(count(Verdict::missed)) + " not met, " +
                      std::to_string(count(Verdict::not_measured)) + " not measured.";
-  for (std::size_t i = 0; i < page.absent.size(); ++i)
-    text +=
-        (i == 0 ? " Not there: `" : ", `") + page.absent[i] + "`" + (i + 1 == page.absent.size() ? "." : "");
-  return text;
+  return text + listed("Not there", page.absent) + listed("Not used", page.unused);
 }
 
 }  // namespace

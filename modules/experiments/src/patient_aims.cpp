@@ -112,6 +112,10 @@ const std::vector<Aim>& patient_aims() {
       {"trial_synthetic_dice_hepatic_veins_median",
        QT_TRANSLATE_NOOP("cli", "in silico, ill livers: Dice of the hepatic veins in the liver, median"),
        in_silico, at_least, 0.7, 3},
+      {"trial_seconds_longest", QT_TRANSLATE_NOOP("cli", "all trials: ten clicks segmented, longest, s"),
+       in_silico, at_most, 15.0, 1},
+      {"trial_correction_seconds_longest", QT_TRANSLATE_NOOP("cli", "all trials: one more click, longest, s"),
+       in_silico, at_most, 2.0, 1},
   };
   return kAims;
 }

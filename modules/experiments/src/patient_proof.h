@@ -40,6 +40,7 @@ struct PatientProof {
   Figures figures;
   std::vector<std::string> notes;
   std::vector<std::string> absent;  ///< real data that were left out
+  std::vector<std::string> unused;  ///< real CTs that are there, and that no trial uses
   std::vector<std::string> table;   ///< the trials, one line each; the last column is the time in seconds
 };
 /// What prove_patient() is measured against.

@@ -306,6 +306,19 @@ std::vector<std::string> tried_cts(std::uint64_t seed) {
   return cts;
 }
 
+std::vector<std::string> unused_cts(const fs::path& data, std::uint64_t seed) {
+  std::vector<std::string> unused;
+  if (!fs::is_directory(data)) return unused;
+  const std::vector<std::string> tried = tried_cts(seed);
+  for (const auto& entry : fs::directory_iterator(data)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("ct_") && std::find(tried.begin(), tried.end(), name) == tried.end())
+      unused.push_back(name);
+  }
+  std::sort(unused.begin(), unused.end());
+  return unused;
+}
+
 std::uint64_t clicks_on_pathology(std::uint64_t seed, std::size_t number) {
   return clicks_on_ct(seed, tried_cts(seed).size() + number);
 }
@@ -334,6 +347,7 @@ bool run_trials(const PatientProofOptions& options, PatientProof& proof, const R
     if (!trials.run(trial, clicks_on_pathology(options.seed, n), context.quiet())) return false;
   }
   trials.finish();
+  proof.unused = unused_cts(options.data, options.seed);
   return true;
 }
 

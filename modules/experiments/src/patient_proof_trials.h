@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace glisson::experiments {
 
 /// Folders of the real CTs that are tried with this seed, whether they are there or not.
 std::vector<std::string> tried_cts(std::uint64_t seed);
+/// Names of folders of CTs ("ct_...") that are there and not tried, ascending.
+std::vector<std::string> unused_cts(const std::filesystem::path& data, std::uint64_t seed);
 /// The seed of the clicks on a pathology: whichever are tried, and whichever real CTs are there.
 /// @param number of the pathology, from 0.
 std::uint64_t clicks_on_pathology(std::uint64_t seed, std::size_t number);

@@ -22,6 +22,7 @@ Cancellable<Proven> proven_of(Cancellable<P> proof) {
   found.figures = std::move(proof->figures);
   if constexpr (requires { proof->notes; }) found.notes = std::move(proof->notes);
   found.absent = std::move(proof->absent);
+  if constexpr (requires { proof->unused; }) found.unused = std::move(proof->unused);
   found.table = std::move(proof->table);
   found.page_table = found.table;
   return found;
@@ -163,6 +164,7 @@ ProofPage page_of(const Proof& proof, const ProofChoices& choices, const Proven&
   page.aims = proof.aims();
   page.figures = found.figures;
   page.absent = found.absent;
+  page.unused = found.unused;
   page.table = found.page_table;
   return page;
 }

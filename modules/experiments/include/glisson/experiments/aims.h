@@ -42,10 +42,12 @@ struct ProofPage {
   std::vector<Aim> aims;
   Figures figures;
   std::vector<std::string> absent;  ///< data that were not there, and what could not be tried
+  std::vector<std::string> unused;  ///< data that were there, and that nothing was measured on
   std::vector<std::string> table;   ///< lines of fixed width, the first the heads; may be empty
 };
-/// Markdown: the aims with what was measured, then the table, then all other figures. Holds neither dates nor
-/// times, so that the same figures give the same file. Atomic. @throws FileError.
+/// Markdown: the aims with what was measured, then the table, then all other figures. Holds no dates,
+/// and no times but those that are aims, so that the same figures give the same file. Atomic. @throws
+/// FileError.
 void write_page(const std::filesystem::path& file, const ProofPage& page);
 
 /// packaging/figures of the checkout that `folder` is the root of; empty: it is none.

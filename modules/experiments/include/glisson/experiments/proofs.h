@@ -41,6 +41,7 @@ struct Proven {
   Figures figures;  ///< flat, units in the names
   std::vector<std::string> notes;
   std::vector<std::string> absent;      ///< data that were not there, and what could not be tried
+  std::vector<std::string> unused;      ///< data that were there, and that nothing was measured on
   std::vector<std::string> table;       ///< lines of fixed width, the first the heads; may be empty
   std::vector<std::string> page_table;  ///< the same without times
 };
