@@ -141,6 +141,8 @@ void SegmentationSeedsTest::ADragAcrossALesionTellsItsDiameter() {
   QVERIFY((seeds()->lesions[0].row(0).transpose() - Eigen::Vector3d(0.03, 0, 0)).norm() < 1e-3);
   QVERIFY(std::abs(seeds()->lesion_diameter_mm(0) - 16.0) < 1.0);
   QVERIFY(find<QListWidget>("seed_list")->item(0)->text().contains("16 mm"));
+  // Notes name a seed by its number.
+  QVERIFY(find<QListWidget>("seed_list")->item(0)->text().startsWith("Lesion 1, seed 1"));
   QCOMPARE(shared().line(), nullptr);
   // A click says only where.
   press("seed_lesion_2");

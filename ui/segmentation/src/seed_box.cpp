@@ -408,7 +408,7 @@ void SeedBox::show_seeds() {
       QStringList place;
       for (int axis = 0; axis < 3; ++axis)
         place << QString::fromStdString(scene::anatomical_coordinate(axis, entry.p_in_ct[axis]));
-      QString text = seed_name(entry.structure);
+      QString text = tr("%1, seed %2").arg(seed_name(entry.structure)).arg(entry.row + 1);
       if (entry.diameter_mm > 0.0)
         text += QStringLiteral("   ") + tr("⌀ %1 mm").arg(qRound(entry.diameter_mm));
       list_->addItem(
