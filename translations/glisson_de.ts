@@ -14067,4 +14067,30 @@ Mode %3 bei %4 Abweichungen
         <translation>Die Ansicht unter dem Zeiger füllt den Platz aller, wie nach einem Doppelklick; Esc geht zurück</translation>
     </message>
 </context>
+<context>
+    <name>HandWorkQuestion</name>
+    <message>
+        <source>Labels corrected by hand</source>
+        <translation>Von Hand korrigierte Labels</translation>
+    </message>
+    <message>
+        <source>You corrected by hand: %1.</source>
+        <translation>Von Hand haben Sie korrigiert: %1.</translation>
+    </message>
+    <message>
+        <source>Replace them</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LabelImport</name>
+    <message>
+        <source>What is imported takes the place of all labels, with these corrections.</source>
+        <translation>Was importiert wird, tritt an die Stelle aller Labels samt diesen Korrekturen.</translation>
+    </message>
+</context>
 </TS>

@@ -14067,4 +14067,30 @@ Mode %3 à %4 écarts types
         <translation>La vue sous le pointeur occupe toute la place, comme après un double-clic ; Échap revient</translation>
     </message>
 </context>
+<context>
+    <name>HandWorkQuestion</name>
+    <message>
+        <source>Labels corrected by hand</source>
+        <translation>Étiquettes corrigées à la main</translation>
+    </message>
+    <message>
+        <source>You corrected by hand: %1.</source>
+        <translation>Vous avez corrigé à la main : %1.</translation>
+    </message>
+    <message>
+        <source>Replace them</source>
+        <translation>Les remplacer</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Garder les miennes</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LabelImport</name>
+    <message>
+        <source>What is imported takes the place of all labels, with these corrections.</source>
+        <translation>Ce qui est importé prend la place de toutes les étiquettes, avec ces corrections.</translation>
+    </message>
+</context>
 </TS>

@@ -40,6 +40,7 @@ class LabelImportTest : public QObject, private SegmentationWindow {
   void AFileWithoutMeaningsIsImportedAsThePersonSays();
   void WhoCancelsImportsNothing();
   void GlissonsOwnPlainFileTakesItsNumbers();
+  void WhatAHandHasCorrectedIsNotReplacedUnasked();
   void WhatCannotBeReadSaysWhy();
   void ALiverOnTheLeftIsNotImportedUnlessAPersonSaysSo_data();
   void ALiverOnTheLeftIsNotImportedUnlessAPersonSaysSo();
@@ -197,6 +198,24 @@ void LabelImportTest::GlissonsOwnPlainFileTakesItsNumbers() {
   QTest::mouseClick(button(*question(), "import_meanings"), Qt::LeftButton);
   QVERIFY(settle());
   QVERIFY(labels() == before);
+}
+
+void LabelImportTest::WhatAHandHasCorrectedIsNotReplacedUnasked() {
+  correct_by_hand();
+  const LabelVolume mine = labels();
+  const auto import = [&](const char* answer) {
+    panel().import_labels(folder_->path() / "labels.seg.nrrd");
+    const auto asked = [&] { return window_->findChild<QMessageBox*>(QStringLiteral("hand_work_question")); };
+    QTRY_VERIFY_WITH_TIMEOUT(asked() != nullptr && asked()->isVisible(), 20000);
+    QVERIFY2(asked()->text().contains(QLatin1String("Liver")), qPrintable(asked()->text()));
+    QTest::mouseClick(asked()->findChild<QPushButton*>(QLatin1String(answer)), Qt::LeftButton);
+    QTRY_VERIFY(asked() == nullptr);
+    QVERIFY(settle());
+  };
+  import("keep_hand_work");
+  QVERIFY(labels() == mine);
+  import("replace_hand_work");
+  QVERIFY(labels() != mine);
 }
 
 void LabelImportTest::WhatCannotBeReadSaysWhy() {

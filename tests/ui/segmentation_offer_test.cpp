@@ -171,6 +171,11 @@ void SegmentationOfferTest::DroppedLabelsAskFirst() {
   QVERIFY2(told.contains("new segmentation"), qPrintable(told));
   QVERIFY(settle() && waits() && labels() == mine);
   answer(QMessageBox::Discard, drop);
+  const auto over_hand_work = [this] {
+    return window_->findChild<QPushButton*>(QStringLiteral("replace_hand_work"));
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(over_hand_work() != nullptr && over_hand_work()->isVisible(), 20000);
+  QTest::mouseClick(over_hand_work(), Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(!waits() && labels() != mine, 20000);  // the file is looked into first
   QVERIFY(settle());
 }

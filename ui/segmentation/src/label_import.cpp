@@ -5,8 +5,10 @@
 #include <exception>
 
 #include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/hand_edits.h"
 #include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/left_liver_question.h"
+#include "glisson/ui/segmentation/hand_work_question.h"
 #include "glisson/volume/dicom_segmentation.h"
 
 namespace glisson::ui {
@@ -63,7 +65,12 @@ void LabelImport::import_as(const std::filesystem::path& path, const FoundLabels
 }
 
 void LabelImport::post(const std::filesystem::path& path, const LabelCodes& codes, LeftLiver left_liver) {
-  engine_.post(engine::ImportLabels{path, codes, built_in_atlas_if_any(), left_liver});
+  const auto import = [this, command = engine::ImportLabels{path, codes, built_in_atlas_if_any(),
+                                                            left_liver}] { engine_.post(command); };
+  const std::set<Label> edited = engine::edited_by_hand(engine_.state());
+  if (edited.empty()) return import();
+  ask_over_hand_work(owner_->window(), edited,
+                     tr("What is imported takes the place of all labels, with these corrections."), import);
 }
 
 }  // namespace glisson::ui

@@ -12,7 +12,7 @@ namespace glisson::ui {
 
 /// Imports labels that were made elsewhere. Where the file does not say which of them is the liver, or says
 /// numbers only, the person is asked first: what is guessed wrong makes a vein of a tumour. So is, whether a
-/// liver that lies left of the vena cava was operated on.
+/// liver that lies left of the vena cava was operated on, and whether what a hand has corrected may go.
 class LabelImport : public QObject {
   Q_OBJECT
  public:
