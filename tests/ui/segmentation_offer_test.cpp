@@ -13,6 +13,7 @@
 
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/offer.h"
@@ -40,6 +41,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void ToolsAndImportWaitForTheDecision();
   void WhatIsDoneWhileItIsGrownDoesNotMeetIt();
   void SavingWhileItIsGrownKeepsTheCorrections();
+  void CorrectionsOnAnotherCtAreReplacedWhenAPersonSaysSo();
 
  private:
   /// A hand adds to the liver above it, and the liver is grown over that.
@@ -252,6 +254,32 @@ void SegmentationOfferTest::SavingWhileItIsGrownKeepsTheCorrections() {
   QVERIFY(waits() && labels() == mine);
   const auto saved = engine::open_case(path, RunContext());
   QVERIFY(saved && (*saved)[part::labels]->voxels == mine);
+}
+
+void SegmentationOfferTest::CorrectionsOnAnotherCtAreReplacedWhenAPersonSaysSo() {
+  correct_by_hand();
+  seed_liver();
+  find<QDoubleSpinBox>("segment_resolution")->setValue(4.0);
+  const LabelVolume mine = labels();
+  Image other = ct_;  // the same patient, half a voxel aside
+  other.grid.origin_mm += Eigen::Vector3d(1.0, 1.0, 1.0);
+  write_image(folder_->path() / "other.nrrd", other);
+  window_->engine().post(engine::ImportImage{folder_->path() / "other.nrrd"});
+  QVERIFY(settle());
+  const auto segment = [&](const char* answer) {
+    press_segment();
+    QVERIFY(window_->engine().tasks().empty());
+    auto* asked = window_->findChild<QMessageBox*>(QStringLiteral("hand_work_question"));
+    QVERIFY(asked != nullptr && asked->isVisible());
+    QTest::mouseClick(asked->findChild<QPushButton*>(QLatin1String(answer)), Qt::LeftButton);
+    QVERIFY(settle());
+    QTRY_VERIFY(window_->findChild<QMessageBox*>(QStringLiteral("hand_work_question")) == nullptr);
+  };
+  segment("keep_hand_work");
+  QVERIFY(labels() == mine);
+  segment("replace_hand_work");
+  QVERIFY(!waits() && labels().grid().same_as(other.grid));
+  QVERIFY(count(structure::kParenchyma) > 1000);
 }
 
 }  // namespace glisson

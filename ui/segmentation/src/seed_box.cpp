@@ -29,6 +29,8 @@
 #include "glisson/ui/common/save_name.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/click_box.h"
+#include "glisson/ui/segmentation/growth_choices.h"
+#include "glisson/ui/segmentation/hand_work_question.h"
 #include "glisson/ui/segmentation/network_box.h"
 #include "glisson/ui/segmentation/notes_box.h"
 #include "glisson/ui/segmentation/region_box.h"
@@ -43,47 +45,6 @@ constexpr int kGap = 4;         ///< pixels between buttons
 
 QString seed_name(Label label) {
   return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
-}
-
-QString hindrance_text(segmentation::Hindrance hindrance) {
-  switch (hindrance) {
-    case segmentation::Hindrance::small_region:
-      return SeedBox::tr("The box is too small.");
-    case segmentation::Hindrance::no_liver_seed:
-      return SeedBox::tr("Place at least one seed in the liver.");
-    case segmentation::Hindrance::no_liver_seed_in_region:
-      return SeedBox::tr("Place a seed in the liver inside the box.");
-    case segmentation::Hindrance::no_kept_liver:
-      return SeedBox::tr("There is no liver yet: find everything first.");
-  }
-  return {};
-}
-
-/// What growth can find anew, as people ask for it; all else stays as a hand left it.
-struct Find {
-  QString text;
-  segmentation::Structures structures;
-};
-
-std::vector<Find> finds() {
-  using Structures = segmentation::Structures;
-  const auto only = [](std::initializer_list<bool Structures::*> which) {
-    Structures structures{false, false, false, false, false, false};
-    for (bool Structures::*one : which) structures.*one = true;
-    return structures;
-  };
-  Structures all_but_liver;
-  all_but_liver.liver = false;
-  return {
-      {SeedBox::tr("Everything"), {}},
-      {SeedBox::tr("Portal and hepatic veins"), only({&Structures::portal_vein, &Structures::hepatic_veins})},
-      {SeedBox::tr("Lesions"), only({&Structures::lesions})},
-      {SeedBox::tr("All but the liver"), all_but_liver},
-      {SeedBox::tr("Liver"), only({&Structures::liver})},
-      {SeedBox::tr("Portal vein"), only({&Structures::portal_vein})},
-      {SeedBox::tr("Hepatic veins"), only({&Structures::hepatic_veins})},
-      {SeedBox::tr("Vena cava"), only({&Structures::vena_cava})},
-      {SeedBox::tr("Gallbladder"), only({&Structures::gallbladder})}};
 }
 
 /// In the slice of a gesture; metres.
@@ -261,7 +222,27 @@ void SeedBox::build_growth() {
 
 std::optional<engine::Command> SeedBox::growth() {
   let_go();
-  return engine::Segment{options(), engine::OverHandWork::offer};
+  engine::Segment command{options(), engine::OverHandWork::offer};
+  if (std::exchange(replaces_hand_, false)) {
+    command.over_hand_work = engine::OverHandWork::replace;
+  } else if (const auto edited = command.would_replace(engine_.state());
+             !edited.empty() && !command.keeps_labels() && !labels_fit()) {
+    const auto replace = [this] {
+      replaces_hand_ = true;
+      run_->trigger();
+    };
+    ask_over_hand_work(window(), edited,
+                       tr("Your corrections lie on the voxels of another CT: what would change cannot be "
+                          "shown. The new segmentation takes the place of all labels, and they are lost."),
+                       replace);
+    return {};
+  }
+  return command;
+}
+
+bool SeedBox::labels_fit() const {
+  const auto& state = engine_.state();
+  return state[part::labels]->voxels.grid().same_as(state[part::image]->grid);
 }
 
 segmentation::SegmentationOptions SeedBox::options() const {

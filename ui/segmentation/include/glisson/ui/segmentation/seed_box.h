@@ -75,8 +75,11 @@ class SeedBox : public QWidget {
   bool puts_back() const;
   segmentation::SegmentationOptions options() const;
   QString obstacle() const;
-  /// Growth as it is set; where it would change what a hand has corrected, the person decides (OfferBox).
+  /// Growth as it is set; where it would change what a hand has corrected, the person decides: after it
+  /// (OfferBox), or before, where the labels are of another CT's voxels and no difference can be shown.
   std::optional<engine::Command> growth();
+  /// Whether the labels lie on the voxels of the image. @pre both are there.
+  bool labels_fit() const;
 
   EngineBridge& engine_;
   ViewState& views_;
@@ -89,6 +92,7 @@ class SeedBox : public QWidget {
   /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
   std::set<Label> known_lesions_;
   std::set<Label> locked_;
+  bool replaces_hand_ = false;  ///< the growth that comes next; the person has said so
   bool active_ = false;
   std::optional<Label> structure_;
   std::vector<SeedEntry> entries_;
