@@ -5971,6 +5971,22 @@
         <source>Unlock it, or find something else anew</source>
         <translation>Entsperren oder etwas anderes neu suchen</translation>
     </message>
+    <message>
+        <source>waits for a decision</source>
+        <translation>wartet auf eine Entscheidung</translation>
+    </message>
+    <message>
+        <source>Decide about it first</source>
+        <translation>Entscheiden Sie zuerst darüber</translation>
+    </message>
+    <message>
+        <source>is locked and would be changed</source>
+        <translation>ist gesperrt und würde sich ändern</translation>
+    </message>
+    <message>
+        <source>Unlock it first</source>
+        <translation>Entsperren Sie es zuerst</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -12214,6 +12230,10 @@
     <message>
         <source>This click changes nothing now. It counts when you segment again.</source>
         <translation>Dieser Klick ändert jetzt nichts. Er zählt, wenn erneut segmentiert wird.</translation>
+    </message>
+    <message>
+        <source>This click would replace what you have drawn: it waits for your decision.</source>
+        <translation>Dieser Klick würde ersetzen, was Sie gezeichnet haben: Das wartet auf Ihre Entscheidung.</translation>
     </message>
 </context>
 <context>

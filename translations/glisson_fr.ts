@@ -5971,6 +5971,22 @@
         <source>Unlock it, or find something else anew</source>
         <translation>Déverrouillez-la, ou recherchez autre chose</translation>
     </message>
+    <message>
+        <source>waits for a decision</source>
+        <translation>attend une décision</translation>
+    </message>
+    <message>
+        <source>Decide about it first</source>
+        <translation>Décidez d’abord à son sujet</translation>
+    </message>
+    <message>
+        <source>is locked and would be changed</source>
+        <translation>est verrouillé et serait changé</translation>
+    </message>
+    <message>
+        <source>Unlock it first</source>
+        <translation>Déverrouillez-le d’abord</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -12214,6 +12230,10 @@
     <message>
         <source>This click changes nothing now. It counts when you segment again.</source>
         <translation>Ce clic ne change rien maintenant. Il compte à la prochaine segmentation.</translation>
+    </message>
+    <message>
+        <source>This click would replace what you have drawn: it waits for your decision.</source>
+        <translation>Ce clic remplacerait ce que vous avez dessiné : cela attend votre décision.</translation>
     </message>
 </context>
 <context>

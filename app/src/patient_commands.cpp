@@ -145,13 +145,15 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
   session.post(command);
 }
 
-/// Around each click that the case does not have yet; the labels elsewhere stay.
-void correct_by_seeds(Session& session, const fs::path& path, const std::vector<Label>& locked) {
+/// Around each click that the case does not have yet; the labels elsewhere stay. @param as what is locked,
+/// and what becomes of lesions that a hand has drawn.
+void correct_by_seeds(Session& session, const fs::path& path, const engine::Segment& as) {
   const auto known = session.state()[part::seeds];
   const segmentation::Seeds seeds = segmentation::read_seeds(path);
   const auto added = segmentation::added_clicks(known ? *known : segmentation::Seeds{}, seeds, path.string());
   session.post(engine::SetSeeds{seeds});
-  session.post(engine::CorrectAround{added.liver, seeds, locked, added.structures});
+  session.post(
+      engine::CorrectAround{added.liver, seeds, as.options.locked, added.structures, as.over_hand_work});
 }
 
 void declare_segment(Arguments& arguments) {
@@ -196,8 +198,7 @@ void refuse_mixtures(const Arguments& arguments) {
   if (arguments.has("network"))
     refuse_beside("network", arguments, {"seeds", "propose", "only", "region", "resolution"});
   if (arguments.has("correct"))
-    refuse_beside("correct", arguments,
-                  {"network", "propose", "only", "region", "resolution", "keep-edited", "replace-edited"});
+    refuse_beside("correct", arguments, {"network", "propose", "only", "region", "resolution"});
 }
 
 engine::Segment command_of(const Arguments& arguments) {
@@ -269,7 +270,7 @@ int run_segment(const QStringList& given) {
     session.post(
         engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});
   else if (arguments.has("correct"))
-    correct_by_seeds(session, seeds, command.options.locked);
+    correct_by_seeds(session, seeds, command);
   else
     segment_by_seeds(session, command, seeds, proposes);
   if (session.state()[part::offer]) refuse_after_telling(session);

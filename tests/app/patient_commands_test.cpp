@@ -210,6 +210,20 @@ void PatientCommandsTest::CorrectionsByHandAreReplacedOnlyWhenToldTo() {
   QVERIFY(run(segment).code != 0);  // they are a hand's still
   QCOMPARE(run(segment + QStringList{"--replace-edited"}).code, 0);
   QCOMPARE(run(segment).code, 0);
+  // A drawn lesion is found anew by a click on it; there is none, so that its drawn diameter counts.
+  write_text(at("edits.json"), R"({"edits": [{"tool": "paint", "label": "lesion_1", "brush": "ball",
+      "radius_mm": 9, "path_mm": [[0, 0, 0]]}]})");
+  QCOMPARE(run({"edit", "--case", "a.glisson", "--script", "edits.json"}).code, 0);
+  write_text(at("more.json"),
+             R"({"liver": [[0, 0, 0]], "lesions": [[[3, 0, 0]]], "lesion_diameters_mm": [24]})");
+  const std::string drawn = read_file(at("a.glisson/labels.seg.nrrd"));
+  const QStringList correct = {"segment",   "--case",    "a.glisson", "--seeds",
+                               "more.json", "--correct", "--json",    "s.json"};
+  refused(correct, "lesion_1: was corrected by hand");
+  QVERIFY(figures("s.json")["gained_lesion_1_ml"].toDouble() > 0.5);
+  QCOMPARE(read_file(at("a.glisson/labels.seg.nrrd")), drawn);
+  QCOMPARE(run(correct + QStringList{"--replace-edited"}).code, 0);
+  QVERIFY(read_file(at("a.glisson/labels.seg.nrrd")) != drawn);
 }
 
 void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {

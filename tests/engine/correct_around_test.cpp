@@ -8,6 +8,7 @@
 #include "ball_ct.h"
 #include "glisson/core/files.h"
 #include "glisson/editing/tools/paint.h"
+#include "glisson/engine/commands/decide_segmentation.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/set_review.h"
@@ -15,6 +16,7 @@
 #include "glisson/engine/engine.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/volume/io.h"
 #include "runners.h"
@@ -55,6 +57,23 @@ CorrectAround click_at(const Eigen::Vector3d& p, bool is_liver) {
   return {{{Point<CtFrame>(p), is_liver}}, {}, {}};
 }
 
+/// A lesion that a hand has drawn, and a click beside its middle that finds another.
+CorrectAround click_over_drawn_lesion(Engine& engine) {
+  editing::Paint paint;
+  paint.label = structure::kFirstLesion;
+  paint.brush = editing::Paint::Brush::ball;
+  paint.radius = 6e-3;
+  paint.path = kMiddle.transpose();
+  done(engine, EditLabels{{paint, {}}});
+  CorrectAround command;
+  command.seeds.lesions = {kMiddle.transpose()};
+  command.seeds.lesions[0](0, 1) += 0.004;
+  command.seeds.lesion_diameters_mm = {12.0};
+  command.grown = {{structure::kFirstLesion,
+                    Point<CtFrame>(Eigen::Vector3d(command.seeds.lesions[0].row(0).transpose()))}};
+  return command;
+}
+
 }  // namespace
 
 class CorrectAroundTest : public QObject {
@@ -66,6 +85,8 @@ class CorrectAroundTest : public QObject {
   void AClickOnAVesselIsAStepOfIts();
   void ALesionsNotesComeWithItsClickAndGoWithIt();
   void AllThatClicksHaveWorkedOnIsWorkByHand();
+  void ADrawnLesionIsNotReplacedUnasked();
+  void AClickDoesNotLetAnOfferGo();
   void WhatWasApprovedIsToBeLookedAtAgain();
   void AClickThatSaysNothingNewOutdatesNothing();
   void WithoutLabelsThereIsNothingToCorrect();
@@ -142,6 +163,49 @@ void CorrectAroundTest::AllThatClicksHaveWorkedOnIsWorkByHand() {
   QCOMPARE(done(*engine, command).status, Status::done);
   const std::set<Label> by_hand = edited_by_hand(engine->snapshot()->state);
   for (const auto& click : command.grown) QVERIFY(by_hand.contains(click.structure));
+}
+
+void CorrectAroundTest::ADrawnLesionIsNotReplacedUnasked() {
+  const auto engine = engine_of(Runner::inline_, true);
+  const auto state = [&]() -> const CaseState& { return engine->snapshot()->state; };
+  CorrectAround command = click_over_drawn_lesion(*engine);
+  const LabelVolume drawn = state()[part::labels]->voxels;
+  const Outcome refused = done(*engine, command);
+  QVERIFY2(refused.error.find("lesion_1: was corrected by hand") != std::string::npos, refused.error.c_str());
+  command.over_hand_work = OverHandWork::offer;
+  const Outcome offered = done(*engine, command);
+  QVERIFY2(offered.status == Status::done, offered.error.c_str());
+  QVERIFY(state()[part::offer] && state()[part::labels]->voxels == drawn);
+  QCOMPARE(state()[part::offer]->edited, std::set<Label>{structure::kFirstLesion});
+  QCOMPARE(offered.figures.at("voxels_changed"), 0.0);
+  QVERIFY(offered.figures.at("hand_corrected_voxels_changed") > 0.0);
+  const LabelVolume found = state()[part::offer]->labels.voxels;
+  using Choice = DecideSegmentation::Choice;
+  QCOMPARE(done(*engine, DecideSegmentation{Choice::take, true, state()[part::offer]}).status, Status::done);
+  QVERIFY(state()[part::labels]->voxels == found);
+  // It is a click's now, and work by hand still, as the liver's is.
+  QVERIFY(command.would_replace(state()).empty());
+  QVERIFY(edited_by_hand(state()).contains(structure::kFirstLesion) &&
+          edited_by_hand(state()).contains(structure::kParenchyma));
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QVERIFY(state()[part::labels]->voxels == drawn);
+  command.over_hand_work = OverHandWork::replace;
+  QCOMPARE(done(*engine, command).status, Status::done);
+  QVERIFY(state()[part::labels]->voxels == found && !state()[part::offer]);
+}
+
+void CorrectAroundTest::AClickDoesNotLetAnOfferGo() {
+  const auto engine = engine_of(Runner::inline_, true);
+  CorrectAround command = click_over_drawn_lesion(*engine);
+  command.over_hand_work = OverHandWork::offer;
+  QCOMPARE(done(*engine, command).status, Status::done);
+  const auto offer = engine->snapshot()->state[part::offer];
+  QVERIFY(offer != nullptr);
+  CorrectAround next = click_at(kMiddle + Eigen::Vector3d(0.0, 0.032, 0.0), true);
+  next.over_hand_work = OverHandWork::offer;
+  const Outcome refused = done(*engine, next);
+  QVERIFY2(refused.error.find("waits for a decision") != std::string::npos, refused.error.c_str());
+  QCOMPARE(engine->snapshot()->state[part::offer], offer);
 }
 
 void CorrectAroundTest::WhatWasApprovedIsToBeLookedAtAgain() {

@@ -42,6 +42,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void WhatIsDoneWhileItIsGrownDoesNotMeetIt();
   void SavingWhileItIsGrownKeepsTheCorrections();
   void CorrectionsOnAnotherCtAreReplacedWhenAPersonSaysSo();
+  void AClickOnADrawnLesionWaitsForTheDecision();
 
  private:
   /// A hand adds to the liver above it, and the liver is grown over that.
@@ -280,6 +281,30 @@ void SegmentationOfferTest::CorrectionsOnAnotherCtAreReplacedWhenAPersonSaysSo()
   segment("replace_hand_work");
   QVERIFY(!waits() && labels().grid().same_as(other.grid));
   QVERIFY(count(structure::kParenchyma) > 1000);
+}
+
+void SegmentationOfferTest::AClickOnADrawnLesionWaitsForTheDecision() {
+  open_labels();
+  editing::Paint paint;
+  paint.label = structure::kFirstLesion;
+  paint.brush = editing::Paint::Brush::ball;
+  paint.radius = 6e-3;
+  paint.path = Eigen::RowVector3d(-0.03, 0.01, 0.0);
+  window_->engine().post(engine::EditLabels{{paint, {}}, 0});
+  QVERIFY(settle());
+  const LabelVolume mine = labels();
+  press("mode_seeds");
+  panel().choose_structure(structure::kFirstLesion);  // its button comes with its first seed
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(0.03, 0.0, 0.0)).toPoint());
+  QVERIFY(settle());
+  QVERIFY(waits() && labels() == mine);
+  QVERIFY2(find<QLabel>("correction")->text().contains("waits for your decision"),
+           qPrintable(find<QLabel>("correction")->text()));
+  press("offer_take");
+  QVERIFY(settle());
+  QCOMPARE(at({-0.03, 0.01, 0.0}), structure::kParenchyma);
+  QCOMPARE(at({0.03, 0.0, 0.0}), structure::kFirstLesion);
 }
 
 }  // namespace glisson

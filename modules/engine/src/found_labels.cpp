@@ -24,21 +24,6 @@ void require_comparable(const CaseState& state, const std::set<Label>& edited) {
                      "Open this CT as a new case, or allow it (--replace-edited)");
 }
 
-SegmentationOffer offer_of(const CaseState& state, const std::set<Label>& edited, bool keeps_labels,
-                           FoundLabels found) {
-  SegmentationOffer offer;
-  offer.labels = std::move(found.labels);
-  offer.notes = std::move(found.notes);
-  offer.base = state[part::labels];
-  offer.image = state[part::image];
-  offer.seeds = std::move(found.seeds);
-  offer.hand = hand_corrected(state);
-  offer.edited = edited;
-  offer.difference = label_difference(offer.base->voxels, offer.labels.voxels, offer.hand);
-  offer.keeps_labels = keeps_labels;
-  return offer;
-}
-
 Figures figures_of(const SegmentationOffer& offer) {
   Figures figures;
   const double ml = 1e-3 * offer.image->grid.voxel_volume_mm3();
@@ -58,6 +43,33 @@ bool changes_any(const LabelDifference& difference, const std::set<Label>& label
 
 }  // namespace
 
+SegmentationOffer offer_of(const CaseState& state, const std::set<Label>& edited, bool keeps_labels,
+                           FoundLabels found) {
+  SegmentationOffer offer;
+  offer.labels = std::move(found.labels);
+  offer.notes = std::move(found.notes);
+  offer.base = state[part::labels];
+  offer.image = state[part::image];
+  offer.seeds = std::move(found.seeds);
+  offer.hand = hand_corrected(state);
+  offer.edited = edited;
+  offer.difference = label_difference(offer.base->voxels, offer.labels.voxels, offer.hand);
+  offer.keeps_labels = keeps_labels;
+  return offer;
+}
+
+Applied put_offer(const CaseState& state, SegmentationOffer offer, OverHandWork over_hand_work) {
+  Applied applied{state, figures_of(offer), offer.notes};
+  if (over_hand_work == OverHandWork::offer && changes_any(offer.difference, offer.edited)) {
+    applied.state[part::preview] = nullptr;
+    applied.state[part::offer] = std::make_shared<const SegmentationOffer>(std::move(offer));
+    return applied;
+  }
+  take_offer(applied.state, offer, over_hand_work == OverHandWork::keep_hand);
+  applied.figures.merge(label_figures(applied.state));
+  return applied;
+}
+
 Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Label>& edited,
                                       OverHandWork over_hand_work, bool keeps_labels,
                                       const std::function<Cancellable<FoundLabels>()>& find) {
@@ -68,22 +80,11 @@ Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Lab
   if (compares) require_comparable(state, edited);
   auto found = find();
   if (!found) return {};
-  Applied applied{state};
-  applied.notes = found->notes;
-  if (!compares) {
-    put_grown_labels(applied.state, std::move(*found), step::segment);
-    applied.figures = label_figures(applied.state);
-    return applied;
-  }
-  SegmentationOffer offer = offer_of(state, edited, keeps_labels, std::move(*found));
-  applied.figures = figures_of(offer);
-  if (over_hand_work == OverHandWork::offer && changes_any(offer.difference, edited)) {
-    applied.state[part::preview] = nullptr;
-    applied.state[part::offer] = std::make_shared<const SegmentationOffer>(std::move(offer));
-    return applied;
-  }
-  take_offer(applied.state, offer, over_hand_work == OverHandWork::keep_hand);
-  applied.figures.merge(label_figures(applied.state));
+  if (compares)
+    return put_offer(state, offer_of(state, edited, keeps_labels, std::move(*found)), over_hand_work);
+  Applied applied{state, {}, found->notes};
+  put_grown_labels(applied.state, std::move(*found), step::segment);
+  applied.figures = label_figures(applied.state);
   return applied;
 }
 

@@ -23,4 +23,13 @@ Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Lab
                                       OverHandWork over_hand_work, bool keeps_labels,
                                       const std::function<Cancellable<FoundLabels>()>& find);
 
+/// What would change the labels `edited` of the case. @param keeps_labels see above.
+/// @pre the case's labels lie on its image's grid, and so do those that were found.
+SegmentationOffer offer_of(const CaseState& state, const std::set<Label>& edited, bool keeps_labels,
+                           FoundLabels found);
+
+/// What becomes of it: a part of the case, until a person decides, or labels at once where that was said or
+/// none of those labels would change. Its figures tell the difference. @pre over_hand_work is not refuse.
+Applied put_offer(const CaseState& state, SegmentationOffer offer, OverHandWork over_hand_work);
+
 }  // namespace glisson::engine

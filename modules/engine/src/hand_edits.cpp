@@ -10,6 +10,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/step_kind.h"
 #include "label_steps.h"
+#include "steps/correct_around.h"
 
 namespace glisson::engine {
 namespace {
@@ -88,6 +89,21 @@ std::set<Label> edited_by_hand(const CaseState& state) {
   };
   walk.over(*state[part::history]);
   return edited;
+}
+
+std::set<Label> drawn_by_hand(const CaseState& state) {
+  std::set<Label> drawn, found_anew;
+  if (!state[part::history]) return drawn;
+  Walk walk;
+  walk.by_hand = [&](const Step& step, const std::set<Label>& labels) {
+    if (step.name.code != step::correct_around.code)
+      std::set_difference(labels.begin(), labels.end(), found_anew.begin(), found_anew.end(),
+                          std::inserter(drawn, drawn.end()));
+    else if (is_lesion(step.name.label))
+      found_anew.insert(step.name.label);
+  };
+  walk.over(*state[part::history]);
+  return drawn;
 }
 
 LabelVolume hand_corrected(const CaseState& state) {

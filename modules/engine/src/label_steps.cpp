@@ -166,8 +166,11 @@ void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_han
                        [&](const LabelInfo& other) { return other.code == info.code; }))
         labels.infos.push_back(info);
   }
-  put_grown_labels(state, {std::move(labels), offer.notes},
-                   keeps_hand ? step::segment_around_hand : step::segment);
+  FoundLabels taken{std::move(labels), offer.notes};
+  if (offer.clicked)
+    put_edited_labels(state, *offer.base, std::move(taken), *offer.clicked, 0);
+  else
+    put_grown_labels(state, std::move(taken), keeps_hand ? step::segment_around_hand : step::segment);
 }
 
 Figures label_figures(const CaseState& state) {

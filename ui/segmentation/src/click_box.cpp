@@ -70,6 +70,7 @@ void ClickBox::correct(Label structure, const Point<CtFrame>& p_in_ct, const seg
   if (!corrects(structure)) return;
   const bool is_liver = structure == structure::kParenchyma || structure == structure::kBackground;
   engine::CorrectAround command{{}, seeds, {locked_.begin(), locked_.end()}};
+  command.over_hand_work = engine::OverHandWork::offer;
   if (is_liver)
     command.clicks.push_back({p_in_ct, structure == structure::kParenchyma});
   else
@@ -92,6 +93,8 @@ void ClickBox::tell(const engine::Outcome& outcome) {
     words_->setText(tr("Corrected around the click: %1 ml, up to %2 mm from it.")
                         .arg(figure("changed_ml"), 0, 'f', 1)
                         .arg(qRound(figure("reach_mm"))));
+  else if (outcome.figures.contains("hand_corrected_voxels"))
+    words_->setText(tr("This click would replace what you have drawn: it waits for your decision."));
   else
     words_->setText(tr("The labels say already what the click says."));
   words_->setToolTip(words_->text());  // where a note is longer than the room for it

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "found_labels.h"
+#include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/segmentation/kept_notes.h"
@@ -65,10 +67,8 @@ Label label_of(const CorrectAround& command) {
   return worked_on.size() == 1 ? *worked_on.begin() : Label{structure::kBackground};
 }
 
-/// Where nothing changes the labels stay the same edition: a model made of them is not out of date.
-void put(CaseState& state, const CorrectAround& command, Corrected made) {
-  if (made.changed == 0) return;
-  const auto before = state[part::labels];
+/// Those of before that hold still, and what was told of the clicks.
+FoundLabels with_notes(const CaseState& state, const CorrectAround& command, Corrected made) {
   std::set<Label> grown;
   for (const segmentation::StructureClick& click : command.grown) grown.insert(click.structure);
   segmentation::PartlyAnew anew;
@@ -76,11 +76,50 @@ void put(CaseState& state, const CorrectAround& command, Corrected made) {
   anew.is_answered = [&](const std::string& note) { return segmentation::is_settled(note, made.labels); };
   std::vector<std::string> notes = segmentation::with_kept_notes(
       kept_notes(state), anew, segmentation::with_places(std::move(made.notes), command.seeds));
-  put_edited_labels(state, *before, {std::move(made.labels), std::move(notes)},
-                    step::correct_around.name(label_of(command)), 0);
+  return {std::move(made.labels), std::move(notes)};
+}
+
+/// Where nothing changes the labels stay the same edition: a model made of them is not out of date.
+Applied put(const CaseState& state, const CorrectAround& command, Corrected made) {
+  Applied applied{state, figures_of(made), made.notes};
+  if (made.changed > 0)
+    put_edited_labels(applied.state, *state[part::labels], with_notes(state, command, std::move(made)),
+                      step::correct_around.name(label_of(command)), 0);
+  if (applied.state[part::statistics]) applied.figures.merge(label_figures(applied.state));
+  return applied;
+}
+
+/// Over lesions that a hand has drawn.
+Applied put_asking(const CaseState& state, const CorrectAround& command, const std::set<Label>& drawn,
+                   Corrected made) {
+  Figures figures = figures_of(made);
+  std::vector<std::string> told = made.notes;
+  SegmentationOffer offer = offer_of(state, drawn, true, with_notes(state, command, std::move(made)));
+  offer.clicked = step::correct_around.name(label_of(command));
+  Applied applied = put_offer(state, std::move(offer), command.over_hand_work);
+  applied.notes = std::move(told);
+  if (applied.state[part::offer])
+    for (auto& [name, value] : figures) value = 0.0;
+  applied.figures.merge(figures);
+  return applied;
+}
+
+/// @param drawn see CorrectAround::would_replace().
+void require_asked(const CaseState& state, const CorrectAround& command, const std::set<Label>& drawn) {
+  if (command.over_hand_work == OverHandWork::offer && state[part::offer])
+    throw InputError("segmentation", "", "waits for a decision", "Decide about it first");
+  if (!drawn.empty() && command.over_hand_work == OverHandWork::refuse) throw hand_work_error(drawn);
 }
 
 }  // namespace
+
+std::set<Label> CorrectAround::would_replace(const CaseState& state) const {
+  const std::set<Label> drawn = drawn_by_hand(state);
+  std::set<Label> replaced;
+  for (const segmentation::StructureClick& click : grown)
+    if (is_lesion(click.structure) && drawn.contains(click.structure)) replaced.insert(click.structure);
+  return replaced;
+}
 
 CommandTraits CorrectAround::traits() const {
   return {.code = "correct_around",
@@ -92,12 +131,12 @@ CommandTraits CorrectAround::traits() const {
 
 Cancellable<Applied> CorrectAround::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
+  const std::set<Label> drawn = would_replace(state);
+  require_asked(state, *this, drawn);
   auto made = corrected(*this, state, context);
   if (!made) return {};
-  Applied applied{state, figures_of(*made), made->notes};
-  put(applied.state, *this, std::move(*made));
-  if (applied.state[part::statistics]) applied.figures.merge(label_figures(applied.state));
-  return applied;
+  if (drawn.empty() || made->changed == 0) return put(state, *this, std::move(*made));
+  return put_asking(state, *this, drawn, std::move(*made));
 }
 
 }  // namespace glisson::engine

@@ -22,6 +22,10 @@ enum class OverHandWork {
 /// for are not known. Growth that kept what a hand had corrected changes nothing of that.
 std::set<Label> edited_by_hand(const CaseState& state);
 
+/// Those of them that a hand has drawn itself: clicks that correct do not count (see CorrectAround), and a
+/// lesion that was found anew by one is not drawn any more.
+std::set<Label> drawn_by_hand(const CaseState& state);
+
 /// 1 where those corrections changed a voxel that growth has not changed since, 0 elsewhere; on the labels'
 /// grid. @pre the state has labels.
 LabelVolume hand_corrected(const CaseState& state);

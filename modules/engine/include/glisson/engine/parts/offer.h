@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "glisson/editing/history.h"
 #include "glisson/engine/case_state.h"
 #include "glisson/patient/label_difference.h"
 #include "glisson/patient/label_map.h"
@@ -26,6 +28,8 @@ struct SegmentationOffer {
   LabelDifference difference;           ///< of `labels` from `base`
   bool keeps_labels = false;            ///< see Segment::keeps_labels()
   std::vector<std::string> notes = {};  ///< the segmentation's
+  /// What it is in the history where clicks of a hand have made it (see CorrectAround); none: growth.
+  std::optional<editing::StepName> clicked = {};
 
   /// Whether all that it was made of is still the case's.
   bool fits(const CaseState& state) const;
