@@ -7121,6 +7121,10 @@
         <source>The organ is followed from the place it has now: stop tracking first.</source>
         <translation>Das Organ wird von seinem jetzigen Ort aus verfolgt: Beenden Sie zuerst die Verfolgung.</translation>
     </message>
+    <message>
+        <source>Nothing is locked (Segmentation).</source>
+        <translation>Nichts ist gesperrt (Segmentierung).</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -8151,6 +8155,10 @@
     <message>
         <source>Deleting a moment</source>
         <translation>Moment wird gelöscht</translation>
+    </message>
+    <message>
+        <source>Storing what is locked</source>
+        <translation>Gesperrtes wird gespeichert</translation>
     </message>
 </context>
 <context>

@@ -7121,6 +7121,10 @@
         <source>The organ is followed from the place it has now: stop tracking first.</source>
         <translation>L&apos;organe est suivi depuis sa position actuelle : arrêtez d&apos;abord le suivi.</translation>
     </message>
+    <message>
+        <source>Nothing is locked (Segmentation).</source>
+        <translation>Rien n’est verrouillé (Segmentation).</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -8151,6 +8155,10 @@
     <message>
         <source>Deleting a moment</source>
         <translation>Suppression d&apos;un instant</translation>
+    </message>
+    <message>
+        <source>Storing what is locked</source>
+        <translation>Enregistrement de ce qui est verrouillé</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the CT to the model: import, segment.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -17,6 +18,7 @@
 #include "glisson/engine/commands/set_modality.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/hand_edits.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/patient_held.h"
@@ -145,6 +147,12 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
   session.post(command);
 }
 
+/// What is locked in the case is so for the command, too.
+void add_locks(const engine::CaseState& state, std::vector<Label>& locked) {
+  for (const Label label : engine::locked_in(state))
+    if (std::find(locked.begin(), locked.end(), label) == locked.end()) locked.push_back(label);
+}
+
 /// Around each click that the case does not have yet; the labels elsewhere stay. @param as what is locked,
 /// and what becomes of lesions that a hand has drawn.
 void correct_by_seeds(Session& session, const fs::path& path, const engine::Segment& as) {
@@ -259,11 +267,12 @@ int run_segment(const QStringList& given) {
   const bool proposes = arguments.has("propose"), by_network = arguments.has("network");
   refuse_mixtures(arguments);
   const fs::path seeds = proposes || by_network ? arguments.path("seeds") : arguments.required_path("seeds");
-  const engine::Segment command = command_of(arguments);
+  engine::Segment command = command_of(arguments);
   const auto modality = modality_from(arguments.value("modality"));
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
+  add_locks(session.state(), command.options.locked);
   if (!seeds.empty()) session.call("seeds", seeds.string());
   if (modality) say_modality(*modality, session);
   if (by_network)

@@ -23,6 +23,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/moments.h"
 #include "glisson/engine/parts/named_video.h"
@@ -61,6 +62,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::seeds] = std::make_shared<segmentation::Seeds>();
   full[part::labels] = std::make_shared<LabelMap>();
   full[part::review] = std::make_shared<Review>();
+  full[part::locks] = std::make_shared<std::set<Label>>();
   full[part::preview] = std::make_shared<EditPreview>();
   full[part::offer] = std::make_shared<SegmentationOffer>();
   full[part::model] = std::make_shared<model::BuiltModel>();

@@ -10,11 +10,13 @@
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/redo_labels.h"
 #include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_locks.h"
 #include "glisson/engine/commands/set_review.h"
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/review.h"
 #include "labelled_ct.h"
 #include "runners.h"
@@ -28,6 +30,7 @@ class KeptLabelsTest : public QObject {
  private slots:
   void StepsReviewAndFiguresComeBackWithTheCase();
   void SlicersStatusIsKnownAndKept();
+  void LocksComeBackWithTheCaseAndHoldAgainstAnImport();
   void ReviewComesWithTheLabelsThatItIsOf();
   void ANewCaseKeepsNothingOfTheFormerOne_data() { both_runners(); }
   void ANewCaseKeepsNothingOfTheFormerOne();
@@ -84,6 +87,38 @@ void KeptLabelsTest::SlicersStatusIsKnownAndKept() {
   const LabelFile exported = read_labels(files.path() / "out.seg.nrrd");
   QVERIFY(exported.voxels == labels.voxels);
   QCOMPARE(exported.infos[0].status, std::string("completed"));
+}
+
+void KeptLabelsTest::LocksComeBackWithTheCaseAndHoldAgainstAnImport() {
+  const CtFolder files;
+  const auto engine = engine_of(Runner::inline_, files);
+  const auto export_to = [&](const char* file) {
+    QCOMPARE(done(*engine, ExportLabels{files.path() / file}).status, Status::done);
+  };
+  done(*engine, EditLabels{ball({40, 36, 42}, 12)});
+  done(*engine, EditLabels{ball({40, 36, 42}, 6, structure::kFirstLesion)});
+  const long lesion = voxels(*engine, structure::kFirstLesion),
+             liver = voxels(*engine, structure::kParenchyma);
+  done(*engine, EditLabels{ball({22, 36, 42}, 9)});
+  export_to("larger_liver.seg.nrrd");
+  done(*engine, UndoLabels{});
+  done(*engine, EditLabels{ball({40, 36, 42}, 8, structure::kFirstLesion)});
+  export_to("larger_lesion.seg.nrrd");
+  done(*engine, UndoLabels{});
+  QCOMPARE(done(*engine, SetLocks{{structure::kFirstLesion}}).status, Status::done);
+  QCOMPARE(done(*engine, SaveCase{files.path() / "a.glisson"}).status, Status::done);
+  QCOMPARE(done(*engine, SetLocks{}).status, Status::done);
+  QCOMPARE(done(*engine, OpenCase{files.path() / "a.glisson"}).status, Status::done);
+  QCOMPARE(locked_in(engine->snapshot()->state), std::set<Label>{structure::kFirstLesion});
+  const Outcome refused = done(*engine, ImportLabels{files.path() / "larger_lesion.seg.nrrd", {}});
+  QVERIFY2(refused.error.find("lesion_1: is locked") != std::string::npos, refused.error.c_str());
+  QCOMPARE(voxels(*engine, structure::kFirstLesion), lesion);
+  const Outcome imported = done(*engine, ImportLabels{files.path() / "larger_liver.seg.nrrd", {}});
+  QVERIFY2(imported.status == Status::done, imported.error.c_str());
+  QVERIFY(voxels(*engine, structure::kParenchyma) > liver);
+  // An edit that says nothing of locks leaves it as it is.
+  done(*engine, EditLabels{ball({40, 36, 42}, 12)});
+  QCOMPARE(voxels(*engine, structure::kFirstLesion), lesion);
 }
 
 void KeptLabelsTest::ReviewComesWithTheLabelsThatItIsOf() {

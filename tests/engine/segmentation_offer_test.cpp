@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_locks.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
@@ -78,6 +79,7 @@ class SegmentationOfferTest : public QObject {
   void ASavedCaseKeepsTheCorrectionsWhileAnOfferWaits();
   void AnEditLetsTheOfferGoAndOtherSeedsMakeItUnfit();
   void ADecisionNeedsAnOffer();
+  void WhatIsLockedMeanwhileIsNotReplaced();
 
  private:
   Outcome done(Command command) { return engine_->wait(engine_->post(std::move(command))); }
@@ -237,6 +239,18 @@ void SegmentationOfferTest::AnEditLetsTheOfferGoAndOtherSeedsMakeItUnfit() {
 
 void SegmentationOfferTest::ADecisionNeedsAnOffer() {
   QVERIFY(done(DecideSegmentation{Choice::take}).error.find("Segment first") != std::string::npos);
+}
+
+void SegmentationOfferTest::WhatIsLockedMeanwhileIsNotReplaced() {
+  correct_and_offer();
+  const LabelVolume mine = labels();
+  QCOMPARE(done(SetLocks{{structure::kParenchyma}}).status, Status::done);
+  const Outcome refused = done(DecideSegmentation{Choice::take});
+  QVERIFY2(refused.error.find("parenchyma: is locked") != std::string::npos, refused.error.c_str());
+  QVERIFY(labels() == mine && state()[part::offer]);
+  QCOMPARE(done(SetLocks{}).status, Status::done);
+  QCOMPARE(done(DecideSegmentation{Choice::take}).status, Status::done);
+  QVERIFY(labels() != mine);
 }
 
 QTEST_APPLESS_MAIN(SegmentationOfferTest)

@@ -24,6 +24,7 @@ class FormerCaseTest : public QObject, private SegmentationWindow {
   void init() { show_window(); }
   void cleanup() { window_.reset(); }
   void HiddenAndLockedLabelsAreOfTheirCase();
+  void LocksComeBackWithTheirCase();
   void HowWorkEndedIsSaidOfItsCase();
   void AnErrorsTipGoesWithTheError();
   void WhatAnImageIsIsAskedOfThatImageAlone();
@@ -72,6 +73,22 @@ void FormerCaseTest::HiddenAndLockedLabelsAreOfTheirCase() {
   QCOMPARE(session().settings().region.locked.size(), std::size_t{1});
   open_case(other);
   QVERIFY(window_->views().state().style().hidden.empty());
+  QVERIFY(session().settings().region.locked.empty());
+}
+
+void FormerCaseTest::LocksComeBackWithTheirCase() {
+  const auto without = saved_case();
+  click_mark(structure::kPortalVein, ui::LabelTable::locked);
+  click_mark(structure::kFirstLesion, ui::LabelTable::locked);
+  click_mark(structure::kPortalVein, ui::LabelTable::locked);
+  const auto with = folder_->path() / "locked.glisson";
+  window_->engine().post(engine::SaveCase{with, true});
+  open_case(without);
+  QVERIFY(session().settings().region.locked.empty());
+  open_case(with);
+  QCOMPARE(session().settings().region.locked, std::vector<Label>{structure::kFirstLesion});
+  click_mark(structure::kFirstLesion, ui::LabelTable::locked);
+  QVERIFY(settle());
   QVERIFY(session().settings().region.locked.empty());
 }
 

@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/engine/parts/seeds.h"
@@ -108,6 +109,25 @@ void require_labels_fit_image(const CaseState& state) {
                       "the case's labels and its image");
 }
 
+void require_unlocked(const CaseState& state, const LabelMap& after) {
+  const std::set<Label> locked = locked_in(state);
+  const auto& before = state[part::labels];
+  if (locked.empty() || !before) return;
+  const auto all_of = [](const LabelVolume& voxels) {
+    return labels_touched(voxels.changes_since(LabelVolume(voxels.grid())));
+  };
+  std::set<Label> touched;
+  if (before->voxels.grid().same_as(after.voxels.grid())) {
+    touched = labels_touched(after.voxels.changes_since(before->voxels));
+  } else {  // there each of them is another
+    touched = all_of(before->voxels);
+    touched.merge(all_of(after.voxels));
+  }
+  std::erase_if(touched, [&](Label label) { return !locked.contains(label); });
+  if (!touched.empty())
+    throw InputError("labels", structure_names(touched), "is locked and would be changed", "Unlock it first");
+}
+
 void put_review(CaseState& state, const Review& review) {
   if (review != review_or_none(state)) state[part::review] = std::make_shared<const Review>(review);
 }
@@ -126,6 +146,7 @@ bool are_of_this_image(const CaseState& state) {
 }
 
 std::set<Label> replace_labels(CaseState& state, FoundLabels found, const editing::StepName& name) {
+  require_unlocked(state, found.labels);
   const VolumeGrid& grid = found.labels.voxels.grid();
   const auto former = state[part::labels];
   if (former && former->voxels.grid().same_as(grid) && are_of_this_image(state))
@@ -167,10 +188,12 @@ void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_han
         labels.infos.push_back(info);
   }
   FoundLabels taken{std::move(labels), offer.notes};
-  if (offer.clicked)
+  if (offer.clicked) {
+    require_unlocked(state, taken.labels);
     put_edited_labels(state, *offer.base, std::move(taken), *offer.clicked, 0);
-  else
+  } else {
     put_grown_labels(state, std::move(taken), keeps_hand ? step::segment_around_hand : step::segment);
+  }
 }
 
 Figures label_figures(const CaseState& state) {

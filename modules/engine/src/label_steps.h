@@ -42,6 +42,9 @@ Review review_or_none(const CaseState& state);
 /// @throws InputError when the case's labels lie on another grid than its image.
 void require_labels_fit_image(const CaseState& state);
 
+/// @throws InputError naming those of the case's locked labels that these labels would change.
+void require_unlocked(const CaseState& state, const LabelMap& after);
+
 /// Stays the same edition when nothing changes.
 void put_review(CaseState& state, const Review& review);
 /// The labels that an edit made of `before`, as one step of the history. What it touched is to be looked at
@@ -49,6 +52,7 @@ void put_review(CaseState& state, const Review& review);
 void put_edited_labels(CaseState& state, const LabelMap& before, FoundLabels after,
                        const editing::StepName& name, std::uint64_t gesture);
 /// Labels that a whole step made anew. The review is the caller's. @return those of which a voxel changed.
+/// @throws InputError see require_unlocked().
 std::set<Label> replace_labels(CaseState& state, FoundLabels found, const editing::StepName& name);
 
 enum class StepDirection { back, forth };

@@ -32,6 +32,7 @@ class Obstacles {
             {"check", tr("Look at the model and say whether it is right first (Model).")},
             {"source", tr("The CT was not opened from its DICOM folder, so whose it is is not known.")},
             {"review", tr("Review the labels first (Segmentation).")},
+            {"locks", tr("Nothing is locked (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
             {"earlier_looks", tr("No earlier look is kept (Stereo).")},
             {"moments", tr("No moment of the live view is kept (Guidance).")},

@@ -24,6 +24,7 @@ class Texts {
             {"undo_labels", tr("Undoing")},
             {"redo_labels", tr("Redoing")},
             {"set_review", tr("Storing the review")},
+            {"set_locks", tr("Storing what is locked")},
             {"list_series", tr("Looking for series")},
             {"set_modality", tr("Storing what the volume is")},
             {"set_seeds", tr("Storing the seeds")},

@@ -15,7 +15,10 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "glisson/engine/commands/set_locks.h"
+#include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/review.h"
 #include "glisson/engine/review.h"
 #include "glisson/patient/label_place.h"
@@ -186,7 +189,10 @@ void SegmentationPanel::build_labels() {
     session_->set_settings(next);
   });
   connect(table_, &LabelTable::shown_toggled, this, [this](Label label) { toggle(hidden_, label); });
-  connect(table_, &LabelTable::lock_toggled, this, [this](Label label) { toggle(locked_, label); });
+  connect(table_, &LabelTable::lock_toggled, this, [this](Label label) {
+    toggle(locked_, label);
+    if (engine().state()[part::image]) locking_ = engine().post(engine::SetLocks{locked_});
+  });
   connect(table_, &LabelTable::review_chosen, session_, &EditSession::set_review);
 }
 
@@ -278,12 +284,18 @@ void SegmentationPanel::show_case() {
   if (const std::uint64_t number = engine().snapshot()->case_number; number != marks_of_) {
     marks_of_ = number;
     hidden_.clear();  // another patient's lesion is not hidden because one of the former was
-    locked_.clear();
+    locked_ = engine::locked_in(now);
     seeds_->let_go();
     EditSettings next = session_->settings();
     next.region = {};
     if (is_lesion(next.label)) next.label = structure::kParenchyma;
     session_->set_settings(next);
+    take_marks();
+  }
+  // While own ones are on their way the panel is ahead of the case.
+  if (const std::set<Label> locked = engine::locked_in(now);
+      locked != locked_ && !engine().is_busy(locking_)) {
+    locked_ = locked;
     take_marks();
   }
   if (now[part::statistics] != shown_statistics_ || now[part::review] != shown_review_ ||

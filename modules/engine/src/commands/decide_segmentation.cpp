@@ -4,6 +4,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/seeds.h"
 #include "label_steps.h"
@@ -28,7 +29,7 @@ Applied with_offer(const CaseState& state, bool keeps_hand) {
 
 CommandTraits DecideSegmentation::traits() const {
   CommandTraits traits{.code = "decide_segmentation",
-                       .reads = {part::image, part::offer},
+                       .reads = {part::image, part::offer, part::locks},
                        .writes = labels_and_review(),
                        .needs = {part::offer},
                        .lane = Lane::edits,

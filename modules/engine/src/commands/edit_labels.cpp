@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/edit_labels.h"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/preview.h"
 #include "label_steps.h"
 
@@ -20,6 +23,14 @@ Cancellable<editing::Edited> edited(const CaseState& state, const LabelMap& befo
   return editing::apply_edit(before, *state[part::image], edit, context);
 }
 
+/// What is locked in the case is so for each edit.
+editing::Edit with_locks(editing::Edit edit, const CaseState& state) {
+  std::vector<Label>& locked = edit.region.locked;
+  for (const Label label : locked_in(state))
+    if (std::ranges::find(locked, label) == locked.end()) locked.push_back(label);
+  return edit;
+}
+
 /// Where nothing changes the labels stay the same edition: a model made of them is not out of date.
 void put(CaseState& state, const LabelMap& before, const EditLabels& command, editing::Edited made) {
   if (made.voxels_changed == 0)
@@ -33,7 +44,7 @@ void put(CaseState& state, const LabelMap& before, const EditLabels& command, ed
 
 CommandTraits EditLabels::traits() const {
   return {.code = "edit_labels",
-          .reads = labels_and_review() | Parts{part::image},
+          .reads = labels_and_review() | Parts{part::image, part::locks},
           .writes = labels_and_review(),
           .needs = {part::image},
           .lane = editing::is_local(edit.tool) ? Lane::edits : Lane::work,
@@ -43,7 +54,7 @@ CommandTraits EditLabels::traits() const {
 Cancellable<Applied> EditLabels::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
   const LabelMap before = labels_or_none(state);
-  auto made = edited(state, before, edit, context);
+  auto made = edited(state, before, with_locks(edit, state), context);
   if (!made) return {};
   Applied applied{state, {{"voxels_changed", static_cast<double>(made->voxels_changed)}}, made->notes};
   put(applied.state, before, *this, std::move(*made));

@@ -5,6 +5,7 @@
 
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/patient/label_import.h"
 #include "label_steps.h"
@@ -35,7 +36,7 @@ Applied with_imported(const CaseState& state, ImportedLabels imported) {
 
 CommandTraits ImportLabels::traits() const {
   return {.code = "import_labels",
-          .reads = {part::image, part::source},
+          .reads = {part::image, part::source, part::locks},
           .writes = labels_and_review(),
           .notice = Notice::files};
 }

@@ -8,6 +8,7 @@
 #include "found_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
@@ -62,7 +63,7 @@ std::optional<segmentation::Hindrance> Segment::hindrance(const CaseState& state
 
 CommandTraits Segment::traits() const {
   CommandTraits traits{.code = "segment",
-                       .reads = {part::image, part::seeds},
+                       .reads = {part::image, part::seeds, part::locks},
                        .writes = labels_and_review(),
                        .needs = {part::image, part::seeds}};
   // What is kept of the labels stays as old as it was.

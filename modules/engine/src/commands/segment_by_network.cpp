@@ -7,6 +7,7 @@
 #include "found_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/network/label_network.h"
 #include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
@@ -42,7 +43,7 @@ std::set<Label> SegmentByNetwork::would_replace(const CaseState& state,
 
 CommandTraits SegmentByNetwork::traits() const {
   return {.code = "segment_by_network",
-          .reads = {part::image, part::labels},
+          .reads = {part::image, part::labels, part::locks},
           .writes = labels_and_review(),
           .needs = {part::image}};
 }

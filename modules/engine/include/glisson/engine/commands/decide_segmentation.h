@@ -20,7 +20,7 @@ struct DecideSegmentation {
 
   CommandTraits traits() const;
   /// @throws InputError `seen` is not what the case holds; the offer is of another CT, other seeds or other
-  /// labels than the case's.
+  /// labels than the case's; a locked label would change.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

@@ -20,6 +20,7 @@ struct ImportLabels {
   LeftLiver left_liver = LeftLiver::refused;
 
   CommandTraits traits() const;
+  /// @throws InputError a locked label would change.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

@@ -73,7 +73,8 @@ class SegmentationPanel : public Panel {
   QPushButton* import_ = nullptr;
   LabelImport* importer_ = nullptr;
   std::set<Label> hidden_, locked_;
-  std::uint64_t marks_of_ = 0;  ///< the number of the case whose labels they are
+  engine::CommandId locking_ = 0;  ///< that stores what was locked last
+  std::uint64_t marks_of_ = 0;     ///< the number of the case whose labels they are
   std::shared_ptr<const segmentation::LabelStatistics> shown_statistics_;
   bool shown_hounsfield_ = true;
   std::shared_ptr<const Review> shown_review_;
