@@ -59,6 +59,10 @@
         <source>%1; drawn to the ridge found in the CT on %2 % of its course</source>
         <translation>%1; auf %2 % des Verlaufs zur im CT gefundenen Kante gezogen</translation>
     </message>
+    <message>
+        <source>%1; placed by hand on %2 % of its course</source>
+        <translation>%1; auf %2 % des Verlaufs von Hand gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>BeingMade</name>
@@ -6579,6 +6583,10 @@
         <translation>%1 % des vorgeschlagenen Vorderrands stammen allein aus der Statistik: Die Registrierung verwendet sie nicht.</translation>
     </message>
     <message>
+        <source>%1 % of the anterior margin that the registration uses come from statistics alone.</source>
+        <translation>%1 % des Vorderrands, den die Registrierung verwendet, stammen nur aus der Statistik.</translation>
+    </message>
+    <message>
         <source>This liver&apos;s shape is %1 times as unusual as the atlas knows: the proposals are uncertain.</source>
         <translation>Die Form dieser Leber ist %1-mal so ungewöhnlich, wie der Atlas sie kennt: die Vorschläge sind unsicher.</translation>
     </message>
@@ -9785,6 +9793,10 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>from statistics</source>
+        <translation>aus der Statistik</translation>
     </message>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.</source>

@@ -59,6 +59,10 @@
         <source>%1; drawn to the ridge found in the CT on %2 % of its course</source>
         <translation>%1 ; ramené à la crête trouvée sur le scanner sur %2 % de son trajet</translation>
     </message>
+    <message>
+        <source>%1; placed by hand on %2 % of its course</source>
+        <translation>%1 ; placé à la main sur %2 % de son trajet</translation>
+    </message>
 </context>
 <context>
     <name>BeingMade</name>
@@ -6579,6 +6583,10 @@
         <translation>%1 % du bord antérieur proposé ne viennent que de la statistique : le recalage ne les utilise pas.</translation>
     </message>
     <message>
+        <source>%1 % of the anterior margin that the registration uses come from statistics alone.</source>
+        <translation>%1 % du bord antérieur que le recalage utilise proviennent de la seule statistique.</translation>
+    </message>
+    <message>
         <source>This liver&apos;s shape is %1 times as unusual as the atlas knows: the proposals are uncertain.</source>
         <translation>La forme de ce foie est %1 fois plus inhabituelle que ce que l&apos;atlas connaît : les propositions sont incertaines.</translation>
     </message>
@@ -9785,6 +9793,10 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>from statistics</source>
+        <translation>de la statistique</translation>
     </message>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.</source>

@@ -80,6 +80,8 @@ void show_case_landmarks(const Arguments& arguments, Session& session) {
     QStringList words;
     if (one.deviation)
       words << ui::reason_text(*engine::proposal_of(state, one.structure));
+    else if (one.source == atlas::Source::statistics)  // of a proposal that is gone
+      words << Cli::tr("from statistics");
     else if (one.source)
       words << (*one.source == atlas::Source::person ? Cli::tr("placed by hand")
                                                      : Cli::tr("found in the CT"));

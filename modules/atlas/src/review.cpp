@@ -146,6 +146,22 @@ PointsIn<CtFrame> landmark_left_by(const Proposal& proposal) {
   return is_used ? landmark_points(proposal) : Points(0, 3);
 }
 
+std::vector<std::optional<Source>> landmark_sources(const Proposal& proposal,
+                                                    const PointsIn<CtFrame>& landmark) {
+  constexpr double kSame = 1e-6;  // metres: files round
+  std::vector<std::optional<Source>> sources(static_cast<std::size_t>(landmark.rows()));
+  const Points left = landmark_left_by(proposal);
+  if (left.rows() == 0) return sources;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const Eigen::RowVector3d p = landmark.row(static_cast<Eigen::Index>(i));
+    if ((left.rowwise() - p).rowwise().norm().minCoeff() > kSame) continue;
+    Eigen::Index at = 0;  // of a contact: the place of its course beside it, of which all are alike
+    (proposal.points.rowwise() - p).rowwise().norm().minCoeff(&at);
+    sources[i] = proposal.sources[static_cast<std::size_t>(at)];
+  }
+  return sources;
+}
+
 Eigen::VectorXd landmark_deviations(const Proposal& proposal, const PointsIn<CtFrame>& landmark) {
   constexpr double kSame = 1e-9;
   Eigen::VectorXd deviations = Eigen::VectorXd::Zero(landmark.rows());

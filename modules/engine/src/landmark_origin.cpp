@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/landmark_origin.h"
 
+#include <algorithm>
+
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
+#include "review_step.h"
 
 namespace glisson::engine {
 namespace {
@@ -35,17 +38,22 @@ std::vector<LandmarkOrigin> landmark_origins(const CaseState& state) {
   for (const Structure structure : atlas::kStructures) {
     LandmarkOrigin one{structure, {}, {}, {}, points_of(used, structure).rows() > 0};
     const atlas::Proposal* proposed = proposal_of(state, structure);
-    const bool is_placed = placed_points(state, structure).rows() > 0;
     if (proposed != nullptr) {
       one.source = proposed->source();
       one.deviation = proposed->deviation();
       one.decision = proposed->decision;
     }
     // Points that a person has set without a proposal, or against it, and what the model shows by itself.
-    const bool is_proposal = proposed != nullptr && (proposed->decision == atlas::Decision::accepted ||
-                                                     proposed->decision == atlas::Decision::moved);
+    const auto sources = proposed_sources(state, structure);
+    const bool is_proposal =
+        std::any_of(sources.begin(), sources.end(), [](const auto& source) { return source.has_value(); });
     if (one.is_used && !is_proposal) {
-      one.source = is_placed ? atlas::Source::person : atlas::Source::image;
+      const Eigen::VectorXd known = placed_deviations(state, structure);
+      const bool is_guess = known.size() > 0 && known.maxCoeff() > 0.0;  // of a proposal that is gone
+      const bool is_mark = marks_by_hand(state, structure).rows() > 0;
+      one.source = is_guess  ? atlas::Source::statistics
+                   : is_mark ? atlas::Source::person
+                             : atlas::Source::image;
       one.deviation.reset();
     }
     all.push_back(one);

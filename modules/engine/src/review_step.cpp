@@ -13,6 +13,8 @@
 namespace glisson::engine {
 namespace {
 
+constexpr double kSame = 1e-6;  // metres, between points that files have rounded
+
 Points* points_of(Landmarks& landmarks, atlas::Structure structure) {
   if (structure == atlas::Structure::umbilical_notch) return &landmarks.umbilical_notch;
   if (structure == atlas::Structure::anterior_margin) return &landmarks.anterior_margin;
@@ -24,6 +26,26 @@ Points* points_of(Landmarks& landmarks, atlas::Structure structure) {
 Landmarks placed(const CaseState& state) {
   const auto& landmarks = state[part::landmarks];
   return landmarks && stage_state(state, part::landmarks) == StageState::current ? *landmarks : Landmarks{};
+}
+
+/// With these points as a structure's landmark, where registration knows it. @param deviations of the points,
+/// metres; none: 0
+CaseState with_landmark(CaseState state, atlas::Structure structure, const Points& landmark,
+                        const Eigen::VectorXd& deviations) {
+  Landmarks landmarks = placed(state);
+  Points* points = points_of(landmarks, structure);
+  if (points == nullptr) return state;
+  *points = landmark;
+  if (structure == atlas::Structure::anterior_margin) {
+    require(deviations.size() == 0 || deviations.size() == landmark.rows(),
+            "there are as many deviations of a margin as points");
+    landmarks.margin_deviation = deviations;
+  }
+  if (structure == atlas::Structure::umbilical_notch)
+    landmarks.notch_deviation = deviations.size() > 0 ? deviations.maxCoeff() : 0.0;
+  const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
+  state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
+  return state;
 }
 
 }  // namespace
@@ -66,25 +88,37 @@ Applied with_review(const CaseState& state, const atlas::Proposal& proposal, con
   *std::ranges::find(transfer->proposals, proposal.structure, &atlas::Proposal::structure) = proposal;
   Applied applied{state};
   applied.state[part::proposals] = std::move(transfer);
-  Landmarks landmarks = placed(state);
-  if (Points* points = points_of(landmarks, proposal.structure)) {
-    *points = landmark;
-    const Eigen::VectorXd deviations = known ? *known : atlas::landmark_deviations(proposal, landmark);
-    if (proposal.structure == atlas::Structure::anterior_margin) {
-      require(deviations.size() == 0 || deviations.size() == landmark.rows(),
-              "there are as many deviations of a margin as points");
-      landmarks.margin_deviation = deviations;
-    }
-    if (proposal.structure == atlas::Structure::umbilical_notch)
-      landmarks.notch_deviation = deviations.size() > 0 ? deviations.maxCoeff() : 0.0;
-    const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
-    applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
-  }
+  applied.state = with_landmark(applied.state, proposal.structure, landmark,
+                                known ? *known : atlas::landmark_deviations(proposal, landmark));
   return applied;
 }
 
+std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& state,
+                                                           atlas::Structure structure) {
+  const Points points = placed_points(state, structure);
+  const atlas::Proposal* proposal = proposal_of(state, structure);
+  if (proposal != nullptr) return atlas::landmark_sources(*proposal, points);
+  return std::vector<std::optional<atlas::Source>>(static_cast<std::size_t>(points.rows()));
+}
+
+Points marks_by_hand(const CaseState& state, atlas::Structure structure) {
+  const Points placed = placed_points(state, structure);
+  const auto proposed = proposed_sources(state, structure);
+  Landmarks of_model = state[part::model]->model.landmarks;
+  const Points* models = points_of(of_model, structure);
+  const Eigen::VectorXd deviations = placed_deviations(state, structure);
+  if (deviations.size() > 0 && deviations.maxCoeff() > 0.0) return Points(0, 3);  // a guess of before
+  Points marks(placed.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < placed.rows(); ++i) {
+    const Eigen::RowVector3d p = placed.row(i);
+    const bool is_models = models->rows() > 0 && (models->rowwise() - p).rowwise().norm().minCoeff() < kSame;
+    if (!is_models && !proposed[static_cast<std::size_t>(i)]) marks.row(count++) = p;
+  }
+  return marks.topRows(count);
+}
+
 bool landmark_is_as_reviewed(const CaseState& state, atlas::Structure structure) {
-  constexpr double kSame = 1e-6;  // metres: files round
   const atlas::Proposal* proposal = proposal_of(state, structure);
   Landmarks of_model = state[part::model]->model.landmarks;
   const Points* models = points_of(of_model, structure);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "glisson/atlas/transfer.h"
 #include "glisson/engine/command.h"
@@ -22,6 +23,16 @@ const atlas::Proposal& require_proposed(const CaseState& state, atlas::Structure
 /// @throws InputError nothing is proposed for the structure.
 Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
                     const std::optional<Eigen::VectorXd>& known = {});
+
+/// Of each of placed_points() where it comes from: as its proposal's review has left it; empty: it is not the
+/// proposal's, or nothing is proposed.
+std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& state,
+                                                           atlas::Structure structure);
+
+/// Those of placed_points() that neither a proposal's review nor the model has brought: a person's own marks,
+/// CT frame, metres. None of what may lie elsewhere (placed_deviations()): that was a guess.
+/// @pre there is a model
+PointsIn<CtFrame> marks_by_hand(const CaseState& state, atlas::Structure structure);
 
 /// Whether a structure's landmark is what its proposal's review has left there, and nobody has placed or
 /// taken away anything since. The model's own, which count where nothing is placed, are nobody's mark.

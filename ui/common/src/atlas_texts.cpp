@@ -42,23 +42,18 @@ class AtlasTexts {
     return {};
   }
   static QString reason(const atlas::Proposal& proposal) {
-    const QString statistics = tr("from %1 livers (%2), %3 mm")
-                                   .arg(proposal.members)
-                                   .arg(QString::fromStdString(proposal.origin))
-                                   .arg(1e3 * proposal.deviation(), 0, 'f', 0);
-    switch (proposal.source()) {
-      case atlas::Source::image:
-        return tr("found in the CT");
-      case atlas::Source::person:
-        return tr("placed by hand");
-      case atlas::Source::both:
-        return tr("%1; drawn to the ridge found in the CT on %2 % of its course")
-            .arg(statistics)
-            .arg(share(proposal, atlas::Source::both));
-      case atlas::Source::statistics:
-        break;
-    }
-    return statistics;
+    if (share(proposal, atlas::Source::image) == 100) return tr("found in the CT");
+    const long by_hand = share(proposal, atlas::Source::person), drawn = share(proposal, atlas::Source::both);
+    if (by_hand == 100) return tr("placed by hand");
+    QString reason = tr("from %1 livers (%2), %3 mm")
+                         .arg(QString::number(proposal.members), QString::fromStdString(proposal.origin),
+                              QString::number(1e3 * proposal.deviation(), 'f', 0));
+    if (drawn > 0)
+      reason = tr("%1; drawn to the ridge found in the CT on %2 % of its course")
+                   .arg(reason, QString::number(drawn));
+    if (by_hand > 0)
+      reason = tr("%1; placed by hand on %2 % of its course").arg(reason, QString::number(by_hand));
+    return reason;
   }
 
  private:

@@ -151,6 +151,8 @@ class Notes {
         {"atlas.margin_left_out",
          tr("%1 % of the proposed anterior margin come from statistics alone: the registration does not use "
             "them.")},
+        {"atlas.margin_from_statistics",
+         tr("%1 % of the anterior margin that the registration uses come from statistics alone.")},
         {"atlas.unusual_shape",
          tr("This liver's shape is %1 times as unusual as the atlas knows: the proposals are uncertain.")},
         {"atlas.unusual_size",

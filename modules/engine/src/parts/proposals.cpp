@@ -9,10 +9,12 @@
 #include <set>
 
 #include "case_files.h"
+#include "glisson/atlas/review.h"
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "review_step.h"
 
 namespace glisson::engine {
 namespace {
@@ -154,11 +156,28 @@ bool waits(const CaseState& state, Structure structure) {
   return one != nullptr && one->decision == Decision::proposed && placed_points(state, structure).rows() == 0;
 }
 
-/// A landmark that was accepted as the atlas proposed it.
+/// How many points of a landmark lie where the atlas alone has put them.
+long from_statistics(const CaseState& state, Structure structure) {
+  const auto sources = proposed_sources(state, structure);
+  return std::count(sources.begin(), sources.end(), Source::statistics);
+}
 bool is_statistics(const CaseState& state, Structure structure) {
-  const Proposal* one = proposal_of(state, structure);
-  return one != nullptr && one->decision == Decision::accepted && one->source() == Source::statistics &&
-         placed_points(state, structure).rows() > 0;
+  return from_statistics(state, structure) > 0;
+}
+
+std::string percent_of(long part, Eigen::Index all) {
+  return std::to_string(100 * part / std::max<Eigen::Index>(1, all));
+}
+
+void add_margin_notes(const CaseState& state, std::vector<std::string>& notes) {
+  const Proposal* margin = proposal_of(state, Structure::anterior_margin);
+  const Eigen::Index used = placed_points(state, Structure::anterior_margin).rows();
+  if (const long guessed = from_statistics(state, Structure::anterior_margin); guessed > 0)
+    notes.push_back("atlas.margin_from_statistics " + percent_of(guessed, used));
+  if (margin == nullptr || !landmark_is_as_reviewed(state, Structure::anterior_margin)) return;
+  if (margin->decision != Decision::accepted && margin->decision != Decision::moved) return;
+  const Eigen::Index left_out = margin->points.rows() - atlas::landmark_left_by(*margin).rows();
+  if (left_out > 0) notes.push_back("atlas.margin_left_out " + percent_of(left_out, margin->points.rows()));
 }
 
 bool same(const CaseState& written, const CaseState& found) {
@@ -212,25 +231,15 @@ std::vector<std::string> landmark_notes(const CaseState& state) {
   const Landmarks used = effective_landmarks(state);
   if (used.vena_cava.rows() == 0 && !is_bare(state[part::model]->model))
     notes.emplace_back("landmarks.no_vena_cava");
-  const Landmarks placed = state[part::landmarks] ? *state[part::landmarks] : Landmarks{};
-  const auto note = [&](const char* code, Structure structure, const Points& points) {
-    const Proposal* one = proposal_of(state, structure);
-    if (one == nullptr || points.rows() == 0 || one->decision != Decision::accepted ||
-        one->source() != Source::statistics)
-      return;
+  const auto note = [&](const char* code, Structure structure) {
+    if (!is_statistics(state, structure)) return;
     char text[64];
-    std::snprintf(text, sizeof text, "%s %.1f", code, 1e3 * one->deviation());
+    std::snprintf(text, sizeof text, "%s %.1f", code, 1e3 * proposal_of(state, structure)->deviation());
     notes.emplace_back(text);
   };
-  note("atlas.cava_from_statistics", Structure::vena_cava, placed.vena_cava);
-  note("atlas.notch_from_statistics", Structure::umbilical_notch, placed.umbilical_notch);
-  const Proposal* margin = proposal_of(state, Structure::anterior_margin);
-  if (margin != nullptr && (margin->decision == Decision::accepted || margin->decision == Decision::moved)) {
-    const auto left_out = margin->points.rows() - placed.anterior_margin.rows();
-    if (left_out > 0)
-      notes.push_back("atlas.margin_left_out " +
-                      std::to_string(100 * left_out / std::max<Eigen::Index>(1, margin->points.rows())));
-  }
+  note("atlas.cava_from_statistics", Structure::vena_cava);
+  note("atlas.notch_from_statistics", Structure::umbilical_notch);
+  add_margin_notes(state, notes);
   for (const Structure one : kUsed)
     if (waits(state, one))
       notes.push_back(std::string("landmarks.not_reviewed ") + atlas::structure_code(one));

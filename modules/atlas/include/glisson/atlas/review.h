@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "glisson/atlas/transfer.h"
 
@@ -20,6 +22,12 @@ Proposal reviewed(const Proposal& proposal, Decision decision, const PointsIn<Ct
 /// What a review leaves as the landmark of a proposal's structure, by what was decided: points in the CT's
 /// frame, metres; none where it is not accepted, or shows too little.
 PointsIn<CtFrame> landmark_left_by(const Proposal& proposal);
+
+/// Of each point of a landmark where it comes from, as a proposal's review has left it; empty: it is none of
+/// these, so that somebody has placed it otherwise.
+/// @param landmark M x 3, CT frame, metres. @return M of them.
+std::vector<std::optional<Source>> landmark_sources(const Proposal& proposal,
+                                                    const PointsIn<CtFrame>& landmark);
 
 /// Of each point of a landmark its standard deviation across its course (of a single point: in any
 /// direction), metres. 0 where a person has placed it or the image shows it, and for points that are not the

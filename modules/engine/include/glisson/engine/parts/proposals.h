@@ -23,12 +23,13 @@ Eigen::VectorXd placed_deviations(const CaseState& state, atlas::Structure struc
 /// How far the review of the landmarks that registration knows (notch, margin, vena cava) has come.
 struct LandmarkReview {
   bool is_open = false;          ///< of one nobody has said whether it lies there
-  bool from_statistics = false;  ///< one that is used was accepted although no image shows it
+  bool from_statistics = false;  ///< of one that is used no image shows some points, and nobody placed them
 };
 LandmarkReview landmark_review(const CaseState& state);
 /// The notes of a registration about its landmarks: "atlas.cava_from_statistics 9.1" (mm) when the vena cava
-/// that it holds on to comes from statistics alone, "landmarks.no_vena_cava" when there is none,
-/// "landmarks.not_reviewed umbilical_notch" when it is proposed and nobody has said anything.
+/// that it holds on to comes from statistics alone, "atlas.margin_from_statistics 12" (%) of the margin that
+/// it uses, "landmarks.no_vena_cava" when there is none, "landmarks.not_reviewed umbilical_notch" when it is
+/// proposed and nobody has said anything.
 std::vector<std::string> landmark_notes(const CaseState& state);
 
 }  // namespace glisson::engine
