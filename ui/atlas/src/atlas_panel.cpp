@@ -82,7 +82,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
     review_->set_marks_hidden(shown);
     show_landmarks();
   });
-  connect(accept_, &QPushButton::clicked, this, &AtlasPanel::store);
+  connect(accept_, &QPushButton::clicked, this, &AtlasPanel::accept_all);
   connect(&views_.volume(), &RenderView::clicked, this, &AtlasPanel::place);
   connect(&this->engine(), &EngineBridge::case_changed, this, &AtlasPanel::show_case);
   connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
@@ -134,7 +134,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
     if (list.rows() == 0) return;
     list.conservativeResize(list.rows() - 1, 3);
     if (tool == Tool::notch && list.rows() == 0) landmarks_.notch_deviation = 0.0;
-    store();
+    store(points);
   });
   connect(clear, &QPushButton::clicked, this, [this, points, tool] {
     (landmarks_.*points).resize(0, 3);
@@ -142,7 +142,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
     // Those that the model brought come back where nobody has placed any: the next click takes their place.
     const auto model = engine().state()[part::model];
     if (model && (model->model.landmarks.*points).rows() > 0) begin_anew_.insert(tool);
-    store();
+    store(points);
   });
   return place;
 }
@@ -176,18 +176,27 @@ void AtlasPanel::place(double x, double y) {
   if (!active_ || tool_ == Tool::none || waits_) return;
   const auto p = views_.surface_point(x, y);
   if (!p) return;
-  Points& list = tool_ == Tool::notch ? landmarks_.umbilical_notch : landmarks_.vena_cava;
+  const auto points = tool_ == Tool::notch ? &Landmarks::umbilical_notch : &Landmarks::vena_cava;
+  Points& list = landmarks_.*points;
   // A guess of the atlas beside a person's point would be taken for as exact as that.
   const bool is_guess = tool_ == Tool::notch && landmarks_.notch_deviation > 0.0;
   if (begin_anew_.erase(tool_) > 0 || is_guess) list.resize(0, 3);
   if (tool_ == Tool::notch) landmarks_.notch_deviation = 0.0;  // from now on it is the person's
   list.conservativeResize(list.rows() + 1, 3);
   list.row(list.rows() - 1) = p->transpose();
-  store();
+  store(points);
 }
 
-void AtlasPanel::store() {
-  storing_.insert(engine().post(engine::SetLandmarks{landmarks_, model_}));
+void AtlasPanel::store(Points Landmarks::*points) {
+  placed_.*points = landmarks_.*points;
+  placed_.notch_deviation = placed_.umbilical_notch.rows() > 0 ? landmarks_.notch_deviation : 0.0;
+  storing_.insert(engine().post(engine::SetLandmarks{placed_, model_}));
+  show_landmarks();
+}
+
+void AtlasPanel::accept_all() {
+  placed_ = landmarks_;
+  storing_.insert(engine().post(engine::SetLandmarks{placed_, model_}));
   show_landmarks();
 }
 
@@ -199,6 +208,8 @@ void AtlasPanel::show_case() {
     taken_ = now[part::landmarks];
     model_ = now[part::model];
     landmarks_ = now[part::model] ? engine::effective_landmarks(now) : Landmarks{};
+    const bool is_of_model = engine::stage_state(now, part::landmarks) == engine::StageState::current;
+    placed_ = taken_ && is_of_model ? *taken_ : Landmarks{};
   }
   show_landmarks();
 }

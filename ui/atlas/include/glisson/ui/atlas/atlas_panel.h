@@ -37,7 +37,11 @@ class AtlasPanel : public Panel {
   QPushButton* add_tool(const QString& heading, const QString& explanation, QLabel*& state,
                         Points Landmarks::*points, Tool tool);
   void place(double x, double y);
-  void store();
+  /// What has changed of these; of the others what the case has already, so that nothing is said to be placed
+  /// that nobody has touched.
+  void store(Points Landmarks::*points);
+  /// All that is on the screen.
+  void accept_all();
   void show_case();
   void show_landmarks();
 
@@ -48,6 +52,7 @@ class AtlasPanel : public Panel {
   Tool tool_ = Tool::none;
   std::set<Tool> begin_anew_;  ///< the next point of these takes the place of the model's own
   Landmarks landmarks_;        ///< effective ones, as on the screen
+  Landmarks placed_;           ///< those of them that the case has as placed
   std::shared_ptr<const Landmarks> taken_;
   std::shared_ptr<const model::BuiltModel> model_;
   std::set<engine::CommandId> storing_;
