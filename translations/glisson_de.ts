@@ -6867,6 +6867,10 @@
         <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) hat sich das Organ zwischen den Blicken bewegt oder verbogen: Keine eine Form erklärt sie. Verwerfen Sie die früheren Blicke und registrieren Sie nur mit den jetzigen Punkten.</translation>
     </message>
     <message>
+        <source>%1: what was placed by hand is used instead of the proposal. Clear it to use the proposal.</source>
+        <translation>%1: Verwendet wird, was von Hand gesetzt wurde, statt des Vorschlags. Löschen Sie es, um den Vorschlag zu verwenden.</translation>
+    </message>
+    <message>
         <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
         <translation>Der Fall wurde ohne die Operationen geöffnet, die auf seinem Modell simuliert worden waren: Die nächste Registrierung simuliert sie neu. (%*)</translation>
     </message>

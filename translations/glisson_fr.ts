@@ -6867,6 +6867,10 @@
         <translation>Avec une probabilité de %1 % (limite %2 %), l’organe a bougé ou s’est déformé entre les vues : aucune forme unique ne les explique. Oubliez les vues antérieures et recalez avec les seuls points présents.</translation>
     </message>
     <message>
+        <source>%1: what was placed by hand is used instead of the proposal. Clear it to use the proposal.</source>
+        <translation>%1 : ce qui a été placé à la main est utilisé au lieu de la proposition. Effacez-le pour utiliser la proposition.</translation>
+    </message>
+    <message>
         <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
         <translation>Le cas a été ouvert sans les opérations simulées sur son modèle : le prochain recalage les simulera à nouveau. (%*)</translation>
     </message>

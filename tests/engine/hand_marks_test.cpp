@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which landmark is a person's mark, which one the atlas' guess.
+// Which landmark is a person's mark, which one the atlas' guess, and that a mark wins over a guess.
 #include <QTest>
 #include <algorithm>
 
@@ -124,6 +124,7 @@ class HandMarksTest : public QObject {
     guess.umbilical_notch = marks_.umbilical_notch;
     guess.notch_deviation = 0.007;
     QVERIFY(source_of(with(bare_, guess), Structure::umbilical_notch) == Source::statistics);
+    QVERIFY(!mark_stands(with(state_, guess), Structure::umbilical_notch));
   }
 
   void aMarginIsTruthOnlyWhole() {
@@ -157,6 +158,58 @@ class HandMarksTest : public QObject {
     const CaseState whole =
         reviewed(with_margin_of(state_, sources), Structure::anterior_margin, Decision::accepted);
     QVERIFY(!landmark_review(whole).from_statistics);
+  }
+
+  void acceptingAnotherPlaceLeavesTheMarkAndSaysSo() {
+    const CaseState marked = with(state_, marks_);
+    for (const Structure structure : {Structure::umbilical_notch, Structure::vena_cava}) {
+      QVERIFY(mark_stands(marked, structure) && !mark_stands(state_, structure));
+      const auto accepted = ReviewProposal{structure, Decision::accepted}.apply(marked, kContext);
+      QVERIFY(placed_points(accepted->state, structure) == placed_points(marked, structure));
+      QVERIFY(has(accepted->notes, std::string("landmarks.mark_stays ") + atlas::structure_code(structure)));
+      QVERIFY(source_of(accepted->state, structure) == Source::person);
+      const CaseState hidden = reviewed(marked, structure, Decision::not_visible);
+      QVERIFY(placed_points(hidden, structure) == placed_points(marked, structure));
+    }
+    // Who moves it places it anew.
+    const Points to = marks_.umbilical_notch.rowwise() + kElsewhere;
+    const CaseState moved = reviewed(marked, Structure::umbilical_notch, Decision::moved, to);
+    QVERIFY(placed_points(moved, Structure::umbilical_notch) == to);
+  }
+
+  /// Found in the CT beats the mean, a person's mark beats both.
+  void whatAPersonHasPlacedIsProposed() {
+    Landmarks on_liver = marks_;
+    on_liver.vena_cava = proposed(state_, Structure::vena_cava).area.topRows(4);
+    on_liver.umbilical_notch = proposed(state_, Structure::falciform_line).points.row(4);
+    const auto made = ProposeLandmarks{atlas_}.apply(with(bare_, on_liver), kContext);
+    const atlas::Proposal& notch = proposed(made->state, Structure::umbilical_notch);
+    QVERIFY(notch.source() == Source::person && notch.decision == Decision::proposed);
+    QVERIFY((notch.points - on_liver.umbilical_notch).norm() < 0.002 && notch.deviation() < 0.006);
+    const atlas::Proposal& cava = proposed(made->state, Structure::vena_cava);
+    QVERIFY(cava.source() == Source::person && cava.area == on_liver.vena_cava);
+    QVERIFY(proposed(made->state, Structure::portal_entrance).source() == Source::statistics);
+    for (const Structure structure : {Structure::umbilical_notch, Structure::vena_cava}) {
+      QVERIFY(!mark_stands(made->state, structure));
+      const auto accepted = ReviewProposal{structure, Decision::accepted}.apply(made->state, kContext);
+      QVERIFY(placed_points(accepted->state, structure) == placed_points(made->state, structure));
+      QVERIFY(accepted->notes.empty() && !landmark_review(accepted->state).from_statistics);
+    }
+  }
+
+  /// What was merely accepted must not pass for a mark once another atlas has spoken.
+  void proposingAgainKeepsWhatWasMovedAndAsksTheRestAgain() {
+    CaseState now = reviewed(state_, Structure::umbilical_notch, Decision::accepted);
+    const Points to = proposed(state_, Structure::vena_cava).area.topRows(9).rowwise() + kElsewhere;
+    now = reviewed(now, Structure::vena_cava, Decision::moved, to);
+    const Points cava = placed_points(now, Structure::vena_cava);
+    const CaseState again = ProposeLandmarks{atlas_}.apply(now, kContext)->state;
+    QCOMPARE(placed_points(again, Structure::umbilical_notch).rows(), 0);
+    QVERIFY(proposed(again, Structure::umbilical_notch).decision == Decision::proposed);
+    QVERIFY(has(landmark_notes(again), "landmarks.not_reviewed umbilical_notch"));
+    QVERIFY(placed_points(again, Structure::vena_cava) == cava);
+    QVERIFY(proposed(again, Structure::vena_cava).decision == Decision::moved);
+    QVERIFY(proposed(again, Structure::vena_cava).area == to);
   }
 
  private:

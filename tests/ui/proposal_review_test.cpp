@@ -221,6 +221,11 @@ void ProposalReviewTest::UndoLeavesWhatAHandHasPlacedSince() {
   // What the model has found of the margin is neither placed nor accepted by it.
   QVERIFY(engine::effective_landmarks(state()).anterior_margin.rows() > 0);
   QCOMPARE(state()[part::landmarks]->anterior_margin.rows(), 0);
+  choose(Structure::umbilical_notch);
+  const auto labels = review().findChildren<QLabel*>();
+  QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text().contains(QStringLiteral("placed by hand is used"));
+  }));
   press(Qt::Key_U);
   QVERIFY(proposal(Structure::umbilical_notch).decision == Decision::proposed);
   const Points kept = engine::effective_landmarks(state()).umbilical_notch;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "glisson/atlas/review.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "mirrored.h"
 #include "statistics.h"
@@ -16,12 +17,14 @@ namespace glisson::atlas {
 namespace {
 
 constexpr double kImageDeviation = 0.002;  // metres, of what the image shows
+constexpr double kHandDeviation = 0.003;   // metres, of what a person has placed
+constexpr Eigen::Index kLeastMarks = 3;    // points of a contact
 constexpr double kRidgeDeviation = 0.002;  // metres, of the ridge across its course
 constexpr double kReach = 0.02;            // metres, of a point's surroundings
 constexpr double kGoodFit = 0.0015;        // metres, mean distance between the surfaces
 constexpr double kMuchTurned = 45.0;       // degrees
-constexpr double kManyFolded = 0.02;       // share of the triangles
-constexpr double kContradiction = 30.0;    // squared Mahalanobis distance: once in a million
+constexpr double kManyFolded = 0.02;     // share of the triangles
+constexpr double kContradiction = 30.0;  // squared Mahalanobis distance: once in a million
 
 std::string note(const char* code, double value, int decimals) {
   char text[32];
@@ -120,7 +123,32 @@ class Placed {
   Transfer& out_;
 };
 
-/// What the image shows stands in place of the statistics; a contradiction between the two is said.
+/// What is known of this patient stands in place of the statistics.
+void put(Proposal& proposal, const Points& course, const Points& raw, Source source, double deviation) {
+  proposal.points = course;
+  std::fill(proposal.covariances.begin(), proposal.covariances.end(),
+            Eigen::Matrix3d(deviation * deviation * Eigen::Matrix3d::Identity()));
+  std::fill(proposal.sources.begin(), proposal.sources.end(), source);
+  if (is_area(proposal.structure)) proposal.area = raw;
+}
+
+/// What a person has placed. Of a contact of which too little is known for its course, the course that was
+/// foretold goes along. False: it says nothing.
+bool take_marks(Proposal& proposal, const Evidence& evidence, const Eigen::Matrix3d& upright) {
+  const auto marks = evidence.placed.find(proposal.structure);
+  if (marks == evidence.placed.end() || marks->second.rows() == 0) return false;
+  const Points course = ordered_points(proposal.structure, marks->second, upright, Points(0, 3));
+  if (course.rows() > 0) {
+    put(proposal, course, marks->second, Source::person, kHandDeviation);
+  } else {
+    if (!is_area(proposal.structure) || marks->second.rows() < kLeastMarks) return false;
+    proposal = reviewed(proposal, Decision::moved, marks->second);
+    proposal.decision = Decision::proposed;
+  }
+  return true;
+}
+
+/// What the image shows; a contradiction between it and the statistics is said.
 void show(Proposal& proposal, const Points& seen, const Points& raw, std::vector<std::string>& doubts) {
   double worst = 0.0, apart = 0.0;
   for (Eigen::Index k = 0; k < seen.rows(); ++k) {
@@ -133,11 +161,7 @@ void show(Proposal& proposal, const Points& seen, const Points& raw, std::vector
   if (worst > kContradiction)
     doubts.push_back(note((std::string("atlas.contradiction ") + structure_code(proposal.structure)).c_str(),
                           1e3 * apart, 0));
-  proposal.points = seen;
-  std::fill(proposal.covariances.begin(), proposal.covariances.end(),
-            Eigen::Matrix3d(kImageDeviation * kImageDeviation * Eigen::Matrix3d::Identity()));
-  std::fill(proposal.sources.begin(), proposal.sources.end(), Source::image);
-  if (is_area(proposal.structure)) proposal.area = raw;
+  put(proposal, seen, raw, Source::image, kImageDeviation);
 }
 
 /// Draws the points of the margin onto the ridge where it passes within their ellipsoids: across its course
@@ -226,10 +250,12 @@ Cancellable<Transfer> transfer(const Atlas& atlas, const TriangleMesh& liver, co
     const Points seen = raw == evidence.found.end() ? Points(0, 3)
                                                     : ordered_points(statistics.structure, raw->second,
                                                                      placed.upright(), Points(0, 3));
-    if (seen.rows() > 0)
-      show(proposal, seen, raw->second, result.doubts);
-    else if (statistics.structure == Structure::anterior_margin)
-      draw_to_ridge(proposal, evidence.ridge);
+    if (!take_marks(proposal, evidence, placed.upright())) {
+      if (seen.rows() > 0)
+        show(proposal, seen, raw->second, result.doubts);
+      else if (statistics.structure == Structure::anterior_margin)
+        draw_to_ridge(proposal, evidence.ridge);
+    }
     onto_liver(proposal, tree);
     result.proposals.push_back(std::move(proposal));
   }

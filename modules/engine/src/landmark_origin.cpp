@@ -12,6 +12,8 @@ namespace glisson::engine {
 namespace {
 using atlas::Structure;
 
+constexpr double kElsewhere = 0.005;  // metres, from a person's mark to what is proposed by it
+
 /// None: registration does not know the structure, or nothing is there.
 Points points_of(const Landmarks& landmarks, Structure structure) {
   switch (structure) {
@@ -59,6 +61,17 @@ std::vector<LandmarkOrigin> landmark_origins(const CaseState& state) {
     all.push_back(one);
   }
   return all;
+}
+
+bool mark_stands(const CaseState& state, Structure structure) {
+  const atlas::Proposal* proposed = proposal_of(state, structure);
+  if (state[part::model] == nullptr || proposed == nullptr) return false;
+  const Points marks = marks_by_hand(state, structure);
+  if (marks.rows() == 0 || proposed->source() != atlas::Source::person) return marks.rows() > 0;
+  const Points& known = proposed->area.rows() > 0 ? proposed->area : proposed->points;
+  for (const auto mark : marks.rowwise())
+    if ((known.rowwise() - mark).rowwise().norm().minCoeff() > kElsewhere) return true;
+  return false;
 }
 
 }  // namespace glisson::engine

@@ -2,10 +2,12 @@
 #include "review_step.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "glisson/atlas/review.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/landmark_origin.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
@@ -116,6 +118,23 @@ Points marks_by_hand(const CaseState& state, atlas::Structure structure) {
     if (!is_models && !proposed[static_cast<std::size_t>(i)]) marks.row(count++) = p;
   }
   return marks.topRows(count);
+}
+
+CaseState with_marks_alone(const CaseState& state, atlas::Structure structure) {
+  return with_landmark(state, structure, marks_by_hand(state, structure), {});
+}
+
+Applied with_decision(const CaseState& state, const atlas::Proposal& reviewed) {
+  const atlas::Structure structure = reviewed.structure;
+  const Points marks = marks_by_hand(state, structure);
+  if (reviewed.decision == atlas::Decision::moved || marks.rows() == 0)
+    return with_review(state, reviewed, atlas::landmark_left_by(reviewed));
+  if (reviewed.decision != atlas::Decision::accepted) return with_review(state, reviewed, marks);
+  Applied applied =
+      with_review(state, reviewed, placed_points(state, structure), placed_deviations(state, structure));
+  if (mark_stands(state, structure))
+    applied.notes.push_back(std::string("landmarks.mark_stays ") + atlas::structure_code(structure));
+  return applied;
 }
 
 bool landmark_is_as_reviewed(const CaseState& state, atlas::Structure structure) {

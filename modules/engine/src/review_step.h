@@ -24,6 +24,10 @@ const atlas::Proposal& require_proposed(const CaseState& state, atlas::Structure
 Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
                     const std::optional<Eigen::VectorXd>& known = {});
 
+/// The case after a decision on a proposal. What a person has placed by hand stays its structure's landmark
+/// unless it was moved; where another place was accepted a note says so.
+Applied with_decision(const CaseState& state, const atlas::Proposal& reviewed);
+
 /// Of each of placed_points() where it comes from: as its proposal's review has left it; empty: it is not the
 /// proposal's, or nothing is proposed.
 std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& state,
@@ -33,6 +37,8 @@ std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& stat
 /// CT frame, metres. None of what may lie elsewhere (placed_deviations()): that was a guess.
 /// @pre there is a model
 PointsIn<CtFrame> marks_by_hand(const CaseState& state, atlas::Structure structure);
+/// The case with these alone as a structure's landmark. @pre there is a model
+CaseState with_marks_alone(const CaseState& state, atlas::Structure structure);
 
 /// Whether a structure's landmark is what its proposal's review has left there, and nobody has placed or
 /// taken away anything since. The model's own, which count where nothing is placed, are nobody's mark.

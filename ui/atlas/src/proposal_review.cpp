@@ -266,7 +266,7 @@ void ProposalReview::show_chosen() {
   const Proposal* one = chosen();
   QStringList lines;
   if (is_of_former_model()) lines << tr("Of a former model: propose the landmarks again.");
-  if (one != nullptr) lines << reason_text(*one);
+  if (one != nullptr) lines << reasons_text(engine_.state(), *one);
   if (tool_ == Tool::move)
     lines << tr("Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.");
   if (tool_ == Tool::paint)

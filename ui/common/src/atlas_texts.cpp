@@ -4,6 +4,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "glisson/engine/landmark_origin.h"
+#include "glisson/ui/common/texts.h"
+
 namespace glisson::ui {
 namespace {
 
@@ -71,6 +74,13 @@ QString landmark_text(const QString& code) {
 }
 QString landmark_text(atlas::Structure structure) { return AtlasTexts::structure(structure); }
 QString reason_text(const atlas::Proposal& proposal) { return AtlasTexts::reason(proposal); }
+QString reasons_text(const engine::CaseState& state, const atlas::Proposal& proposal) {
+  const QString reason = reason_text(proposal);
+  if (!engine::mark_stands(state, proposal.structure)) return reason;
+  const QString mark =
+      note_text(std::string("landmarks.mark_stays ") + atlas::structure_code(proposal.structure));
+  return QStringLiteral("%1\n%2").arg(reason, mark);
+}
 QString decision_text(atlas::Decision decision) { return AtlasTexts::decision(decision); }
 
 }  // namespace glisson::ui

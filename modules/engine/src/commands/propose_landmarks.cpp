@@ -1,19 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/propose_landmarks.h"
 
+#include <algorithm>
+
+#include "../review_step.h"
 #include "glisson/atlas/transfer.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/patient/label_map.h"
 
 namespace glisson::engine {
 namespace {
+using atlas::Structure;
 
 atlas::Evidence evidence(const PatientModel& model) {
   for (const NamedSurface& surface : model.surfaces)
     if (surface.structure == structure::kParenchyma) return atlas::evidence_of(model);
   return {{}, model.landmarks.anterior_margin};
+}
+
+/// With what a person has placed, which beats what the model shows.
+atlas::Evidence evidence(const CaseState& state) {
+  atlas::Evidence all = evidence(state[part::model]->model);
+  for (const Structure structure : {Structure::umbilical_notch, Structure::vena_cava})
+    all.placed[structure] = marks_by_hand(state, structure);
+  if (const Points margin = marks_by_hand(state, Structure::anterior_margin); margin.rows() > 0)
+    all.ridge = margin;
+  return all;
+}
+
+bool rests_on_proposal(const CaseState& state, Structure structure) {
+  const auto sources = proposed_sources(state, structure);
+  return std::any_of(sources.begin(), sources.end(), [](const auto& one) { return one.has_value(); });
+}
+
+/// What becomes of landmarks that former proposals have left: what a person has moved stays with its
+/// proposal, what was merely accepted is asked again. @param made takes over what stays. @return the case
+/// with the landmarks that stay.
+CaseState settle_former(const CaseState& state, atlas::Transfer& made) {
+  CaseState after = state;
+  for (const Structure structure : atlas::kStructures) {
+    if (!rests_on_proposal(state, structure)) continue;
+    const atlas::Proposal& former = *proposal_of(state, structure);
+    const auto now = std::ranges::find(made.proposals, structure, &atlas::Proposal::structure);
+    if (former.decision != atlas::Decision::moved)
+      after = with_marks_alone(after, structure);
+    else if (now != made.proposals.end())
+      *now = former;
+    else
+      made.proposals.push_back(former);
+  }
+  return after;
 }
 
 Figures figures_of(const atlas::Transfer& made) {
@@ -37,17 +76,17 @@ const TriangleMesh& fine_liver(const PatientModel& model) {
 CommandTraits ProposeLandmarks::traits() const {
   return {.code = "propose_landmarks",
           .reads = {part::model},
-          .writes = {part::proposals},
+          .writes = {part::proposals, part::landmarks},  // marks of later make no proposal out of date
           .needs = {part::model},
           .current = {part::model}};
 }
 
 Cancellable<Applied> ProposeLandmarks::apply(const CaseState& state, const RunContext& context) const {
   require(atlas != nullptr, "landmarks are proposed by an atlas");
-  const PatientModel& model = state[part::model]->model;
-  auto made = atlas::transfer(*atlas, fine_liver(model), evidence(model), context);
+  auto made = atlas::transfer(*atlas, fine_liver(state[part::model]->model), evidence(state), context);
   if (!made) return {};
-  Applied applied{state, figures_of(*made), made->doubts};
+  Applied applied{settle_former(state, *made), {}, made->doubts};
+  applied.figures = figures_of(*made);
   applied.state[part::proposals] = std::make_shared<const atlas::Transfer>(std::move(*made));
   return applied;
 }

@@ -13,7 +13,7 @@ CommandTraits ReviewProposal::traits() const { return review_traits("review_prop
 Cancellable<Applied> ReviewProposal::apply(const CaseState& state, const RunContext&) const {
   require_seen(state, part::proposals, seen);
   const atlas::Proposal reviewed = atlas::reviewed(require_proposed(state, structure), decision, moved);
-  return with_review(state, reviewed, atlas::landmark_left_by(reviewed));
+  return with_decision(state, reviewed);
 }
 
 }  // namespace glisson::engine

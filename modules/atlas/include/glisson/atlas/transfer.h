@@ -57,7 +57,9 @@ struct Transfer {
 /// What the patient's own image shows of the structures; absent: it does not.
 struct Evidence {
   std::map<Structure, PointsIn<CtFrame>> found;  ///< as in Member
-  PointsIn<CtFrame> ridge;  ///< the detected part of the anterior margin, ordered; may be empty
+  PointsIn<CtFrame> ridge;  ///< the known part of the anterior margin, ordered; may be empty
+  /// What a person has placed: it beats what was found. Of a contact fewer than three points say nothing.
+  std::map<Structure, PointsIn<CtFrame>> placed = {};
 };
 /// Of a model: contacts and the portal vein's entrance, and the detected ridge.
 Evidence evidence_of(const PatientModel& model);

@@ -22,4 +22,8 @@ struct LandmarkOrigin {
 /// @pre the case has a model
 std::vector<LandmarkOrigin> landmark_origins(const CaseState& state);
 
+/// Whether marks that a person has placed by hand are used in the place of what is proposed for a structure.
+/// Not where the proposal was made of them.
+bool mark_stands(const CaseState& state, atlas::Structure structure);
+
 }  // namespace glisson::engine

@@ -10,7 +10,9 @@ namespace glisson::engine {
 
 /// What a person says of one proposal. Accepted and moved ones become landmarks where registration knows the
 /// structure (notch, margin, vena cava); of others, and of what is not visible, no landmark
-/// remains: registration then goes by what the model itself shows of it, if anything.
+/// remains: registration then goes by what the model itself shows of it, if anything. What a person has
+/// placed by hand stays until it is moved or cleared; where another place is accepted the note
+/// "landmarks.mark_stays vena_cava" says so.
 struct ReviewProposal {
   atlas::Structure structure = atlas::Structure::umbilical_notch;
   atlas::Decision decision = atlas::Decision::accepted;
