@@ -152,6 +152,34 @@ class BuildTest : public QObject {
     QVERIFY(!complaint_of("/nowhere/at/all").empty());
   }
 
+  /// A base that was built of the same cases, under the same names, has other residuals of them.
+  void whatIsTakenOverIsNotJudgedAndAnOutlierIsTold() {
+    std::vector<Member> members = members_;
+    members.push_back(test::synthetic_member(710));
+    members.back().name = "odd one";
+    for (const int axis : {0, 2}) members.back().liver.vertices.col(axis) *= axis == 0 ? 1.6 : 0.8;
+    members.back().structures.clear();
+    for (std::size_t i = 0; i < 3; ++i) {
+      members[i].structures.erase(Structure::gallbladder_bed);
+      members[i].structures.erase(Structure::portal_entrance);
+    }
+    const auto again = build(members, result_.atlas, BuildOptions(), RunContext());
+    QVERIFY(again);
+    for (const LeftOut& left : again->left_out)
+      for (const Structure structure : {Structure::gallbladder_bed, Structure::portal_entrance})
+        QVERIFY(!left.structures.contains(structure));
+    QVERIFY(again->left_out.front().structures.contains(Structure::vena_cava));
+    const auto told = [&](const std::string& note) {
+      return std::any_of(again->notes.begin(), again->notes.end(),
+                         [&](const std::string& one) { return one.starts_with(note); });
+    };
+    QVERIFY(told("atlas.taken_over gallbladder_bed"));
+    QVERIFY(told("atlas.outlier odd"));
+    QVERIFY(!told("atlas.outlier liver_"));
+    for (const AtlasMember& member : again->atlas.members)
+      QVERIFY((member.weight < 1.0) == (member.name == "odd one"));
+  }
+
   void whatTheImageShowsWins() {
     const Member other = test::synthetic_member(911);
     Evidence evidence;

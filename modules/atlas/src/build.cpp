@@ -298,7 +298,9 @@ class Builder {
                    work.unusual,
                    work.doubts,
                    {}};
-      for (const StructureStatistics& statistics : result_.atlas.structures) judge(left, work, statistics);
+      for (const StructureStatistics& statistics : result_.atlas.structures)
+        // Of what was taken over the residuals are others', whatever their livers are called.
+        if (result_.spreads.contains(statistics.structure)) judge(left, work, statistics);
       result_.left_out.push_back(std::move(left));
     }
     result_.quality.compactness_modes = result_.atlas.shape.mode_count();
