@@ -4032,6 +4032,10 @@
         <translation>Lassen Sie es zuerst von einem Atlas vorschlagen, der es kennt</translation>
     </message>
     <message>
+        <source>Place notch, margin or vena cava in five cases at least, or build on another atlas</source>
+        <translation>Setzen Sie Kerbe, Rand oder Hohlvene in mindestens fünf Fällen, oder bauen Sie auf einem anderen Atlas auf</translation>
+    </message>
+    <message>
         <source>Correct first</source>
         <translation>Korrigieren Sie zuerst</translation>
     </message>
@@ -6579,12 +6583,12 @@
         <translation>Die Nabelkerbe stammt allein aus der Statistik, mit einer Abweichung von %1 mm.</translation>
     </message>
     <message>
-        <source>%1 % of the proposed anterior margin come from statistics alone: the registration does not use them.</source>
-        <translation>%1 % des vorgeschlagenen Vorderrands stammen allein aus der Statistik: Die Registrierung verwendet sie nicht.</translation>
-    </message>
-    <message>
         <source>%1 % of the anterior margin that the registration uses come from statistics alone.</source>
         <translation>%1 % des Vorderrands, den die Registrierung verwendet, stammen nur aus der Statistik.</translation>
+    </message>
+    <message>
+        <source>%1 % of the proposed anterior margin come from statistics alone: the registration does not use them.</source>
+        <translation>%1 % des vorgeschlagenen Vorderrands stammen allein aus der Statistik: Die Registrierung verwendet sie nicht.</translation>
     </message>
     <message>
         <source>This liver&apos;s shape is %1 times as unusual as the atlas knows: the proposals are uncertain.</source>
@@ -6863,12 +6867,12 @@
         <translation>%1: Niemand hat den Vorschlag geprüft.</translation>
     </message>
     <message>
-        <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
-        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) hat sich das Organ zwischen den Blicken bewegt oder verbogen: Keine eine Form erklärt sie. Verwerfen Sie die früheren Blicke und registrieren Sie nur mit den jetzigen Punkten.</translation>
-    </message>
-    <message>
         <source>%1: what was placed by hand is used instead of the proposal. Clear it to use the proposal.</source>
         <translation>%1: Verwendet wird, was von Hand gesetzt wurde, statt des Vorschlags. Löschen Sie es, um den Vorschlag zu verwenden.</translation>
+    </message>
+    <message>
+        <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
+        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) hat sich das Organ zwischen den Blicken bewegt oder verbogen: Keine eine Form erklärt sie. Verwerfen Sie die früheren Blicke und registrieren Sie nur mit den jetzigen Punkten.</translation>
     </message>
     <message>
         <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
@@ -9779,6 +9783,10 @@
         <translation>von Hand gesetzt</translation>
     </message>
     <message>
+        <source>from statistics</source>
+        <translation>aus der Statistik</translation>
+    </message>
+    <message>
         <source>found in the CT</source>
         <translation>im CT gefunden</translation>
     </message>
@@ -9797,10 +9805,6 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
-    </message>
-    <message>
-        <source>from statistics</source>
-        <translation>aus der Statistik</translation>
     </message>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.</source>

@@ -4032,6 +4032,10 @@
         <translation>Faites-le d’abord proposer par un atlas qui le connaît</translation>
     </message>
     <message>
+        <source>Place notch, margin or vena cava in five cases at least, or build on another atlas</source>
+        <translation>Placez l’échancrure, le bord ou la veine cave dans au moins cinq cas, ou construisez sur un autre atlas</translation>
+    </message>
+    <message>
         <source>Correct first</source>
         <translation>Corrigez d’abord</translation>
     </message>
@@ -6579,12 +6583,12 @@
         <translation>L&apos;incisure ombilicale ne vient que de la statistique, avec un écart de %1 mm.</translation>
     </message>
     <message>
-        <source>%1 % of the proposed anterior margin come from statistics alone: the registration does not use them.</source>
-        <translation>%1 % du bord antérieur proposé ne viennent que de la statistique : le recalage ne les utilise pas.</translation>
-    </message>
-    <message>
         <source>%1 % of the anterior margin that the registration uses come from statistics alone.</source>
         <translation>%1 % du bord antérieur que le recalage utilise proviennent de la seule statistique.</translation>
+    </message>
+    <message>
+        <source>%1 % of the proposed anterior margin come from statistics alone: the registration does not use them.</source>
+        <translation>%1 % du bord antérieur proposé ne viennent que de la statistique : le recalage ne les utilise pas.</translation>
     </message>
     <message>
         <source>This liver&apos;s shape is %1 times as unusual as the atlas knows: the proposals are uncertain.</source>
@@ -6863,12 +6867,12 @@
         <translation>%1 : personne n&apos;a vérifié ce qui est proposé.</translation>
     </message>
     <message>
-        <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
-        <translation>Avec une probabilité de %1 % (limite %2 %), l’organe a bougé ou s’est déformé entre les vues : aucune forme unique ne les explique. Oubliez les vues antérieures et recalez avec les seuls points présents.</translation>
-    </message>
-    <message>
         <source>%1: what was placed by hand is used instead of the proposal. Clear it to use the proposal.</source>
         <translation>%1 : ce qui a été placé à la main est utilisé au lieu de la proposition. Effacez-le pour utiliser la proposition.</translation>
+    </message>
+    <message>
+        <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
+        <translation>Avec une probabilité de %1 % (limite %2 %), l’organe a bougé ou s’est déformé entre les vues : aucune forme unique ne les explique. Oubliez les vues antérieures et recalez avec les seuls points présents.</translation>
     </message>
     <message>
         <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
@@ -9779,6 +9783,10 @@
         <translation>placé à la main</translation>
     </message>
     <message>
+        <source>from statistics</source>
+        <translation>de la statistique</translation>
+    </message>
+    <message>
         <source>found in the CT</source>
         <translation>trouvé dans le scanner</translation>
     </message>
@@ -9797,10 +9805,6 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
-    </message>
-    <message>
-        <source>from statistics</source>
-        <translation>de la statistique</translation>
     </message>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are %2.</source>

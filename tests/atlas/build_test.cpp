@@ -152,6 +152,25 @@ class BuildTest : public QObject {
     QVERIFY(!complaint_of("/nowhere/at/all").empty());
   }
 
+  void whatNoCaseCouldKeepIsRefused() {
+    const auto complaint = [](const Atlas& atlas) {
+      const TemporaryFolder folder;
+      write_atlas(folder.path(), atlas);
+      return complaint_of(folder.path());
+    };
+    Atlas changed = result_.atlas;
+    changed.structures.push_back(changed.structures.front());
+    QVERIFY(complaint(changed).find("twice") != std::string::npos);
+    changed.structures.clear();
+    QVERIFY(complaint(changed).find("structures") != std::string::npos);
+    changed = result_.atlas;
+    for (StructureStatistics& one : changed.structures) one.share.resize(0);
+    QVERIFY(complaint(changed).find("share_vena_cava") != std::string::npos);
+    changed = result_.atlas;
+    for (StructureStatistics& one : changed.structures) one.share.setZero();
+    QVERIFY(complaint(changed).find("share_vena_cava") != std::string::npos);
+  }
+
   /// A base that was built of the same cases, under the same names, has other residuals of them.
   void whatIsTakenOverIsNotJudgedAndAnOutlierIsTold() {
     std::vector<Member> members = members_;

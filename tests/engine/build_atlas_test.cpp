@@ -133,6 +133,18 @@ class BuildAtlasTest : public QObject {
     QVERIFY(is_begun({.cases = paths, .base = base_}));
   }
 
+  /// It could propose nothing, and no case could keep that.
+  void anAtlasOfNoStructureIsNotWritten() {
+    BuildAtlas build{.base = std::make_shared<const atlas::Atlas>(atlas::bare_atlas(base_->mean())),
+                     .out = folder_.path() / "of_nothing"};
+    for (int i = 0; i < 5; ++i)
+      build.members.push_back({"liver_" + std::to_string(i),
+                               test::atlas_case(*base_, i)[part::model]->model.surfaces.front().mesh,
+                               {}});
+    QVERIFY(complaint_of(build).find("structures") != std::string::npos);
+    QVERIFY(!fs::exists(build.out));
+  }
+
   void cancelLeavesNothing() {
     auto flag = std::make_shared<CancelFlag>();
     flag->request();

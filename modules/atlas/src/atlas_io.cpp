@@ -170,14 +170,21 @@ void take_modes(Atlas& atlas, const TriangleFile& file, const std::string& name,
     const Points mode = found->second;
     atlas.shape.modes.col(k) = Eigen::Map<const Eigen::VectorXd>(mode.data(), mode.size());
   }
-  for (StructureStatistics& one : atlas.structures)
-    if (const auto found = file.point_data.find(share_name(one.structure)); found != file.point_data.end()) {
-      const auto share = found->second.array();
-      if (share.cols() != 1 || !(share >= 0.0 && share <= 1.0).all())
-        throw InputError(name, share_name(one.structure), "is no share from 0 to 1 of each vertex",
-                         "Build the atlas again, or take another one");
-      one.share = found->second.col(0);
-    }
+}
+
+/// An area that no vertex belongs to could never become a landmark.
+void take_shares(Atlas& atlas, const TriangleFile& file, const std::string& name) {
+  constexpr double kLeastVertices = 1.0;
+  for (StructureStatistics& one : atlas.structures) {
+    const auto found = file.point_data.find(share_name(one.structure));
+    if (found == file.point_data.end() && !is_area(one.structure)) continue;
+    const bool is_share = found != file.point_data.end() && found->second.cols() == 1 &&
+                          (found->second.array() >= 0.0 && found->second.array() <= 1.0).all();
+    if (!is_share || (is_area(one.structure) && found->second.sum() < kLeastVertices))
+      throw InputError(name, share_name(one.structure), "is no share from 0 to 1 of each vertex",
+                       "Build the atlas again, or take another one");
+    one.share = found->second.col(0);
+  }
 }
 
 /// What else lies in an atlas' folder stays: files by a second name for the same content where there can be
@@ -259,7 +266,12 @@ Atlas read_atlas(const fs::path& given) {
   for (const Sheet& one : sheet.list("members"))
     atlas.members.push_back({one.text("name"), one.number("weight"), one.number("size_mm") / kMm,
                              one.number("unusual"), one.number("mean_distance_mm") / kMm});
-  for (const Sheet& one : sheet.list("structures")) atlas.structures.push_back(statistics_of(one));
+  for (const Sheet& one : sheet.list("structures")) {
+    StructureStatistics known = statistics_of(one);
+    if (atlas.find(known.structure) != nullptr) one.fail("structure", "is named twice");
+    atlas.structures.push_back(std::move(known));
+  }
+  if (atlas.structures.empty()) sheet.fail("structures", "holds none");
   const json& variances = sheet.field("variances_mm2");
   if (!variances.is_array()) sheet.fail("variances_mm2", "is not a list");
   atlas.shape.variances.resize(static_cast<Eigen::Index>(variances.size()));
@@ -279,6 +291,7 @@ Atlas read_atlas(const fs::path& given) {
   atlas.triangles = file.mesh.triangles;
   atlas.shape.mean = file.mesh.vertices;
   take_modes(atlas, file, surface.string(), atlas.shape.variances.size());
+  take_shares(atlas, file, surface.string());
   return atlas;
 }
 

@@ -75,6 +75,7 @@ class Placed {
       for (std::size_t i = 0; i < area.size(); ++i)
         proposal.area.row(static_cast<Eigen::Index>(i)) = there_.vertices.row(area[i]);
     }
+    if (is_area(statistics.structure) && proposal.area.rows() == 0) proposal.area = proposal.points;
     return proposal;
   }
 

@@ -185,6 +185,9 @@ const std::vector<const char*>& work_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give the points of the contact"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give as many as are proposed: %1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Let an atlas that knows it propose it first"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Place notch, margin or vena cava in five cases at least, or build on "
+                        "another atlas"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Correct first"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Place the vena cava among the landmarks"),
       QT_TRANSLATE_NOOP(

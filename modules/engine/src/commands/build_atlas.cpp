@@ -94,6 +94,9 @@ Cancellable<atlas::BuildResult> built_of(const BuildAtlas& command, const RunCon
   auto livers = livers_of(command, context, notes);
   if (!livers) return {};
   auto built = atlas::build(std::move(*livers), *command.base, command.options, context.part(0.2, 1.0));
+  if (built && built->atlas.structures.empty() && !command.out.empty())
+    throw InputError("atlas", "structures", "are none",
+                     "Place notch, margin or vena cava in five cases at least, or build on another atlas");
   if (built) notes.insert(notes.end(), built->notes.begin(), built->notes.end());
   return built;
 }

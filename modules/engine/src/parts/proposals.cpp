@@ -89,6 +89,8 @@ Proposal proposal_in(const json& sheet, const std::string& file) {
   if (one.covariances.size() != count || one.sources.size() != count)
     refuse(file, "points", "are not as many as covariances and sources");
   if (!sheet.at("area").empty()) one.area = points_from_json(sheet.at("area"), file, "area");
+  // Atlases without shares have left contacts of nothing, which could never become a landmark.
+  if (one.area.rows() == 0 && atlas::is_area(one.structure)) one.area = one.points;
   one.members = sheet.at("members").get<int>();
   one.origin = sheet.at("origin").get<std::string>();
   one.decision = code_in(atlas::decision_code, kDecisions, sheet.at("decision"), file, "decision");

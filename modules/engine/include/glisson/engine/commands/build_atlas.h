@@ -29,8 +29,8 @@ struct BuildAtlas {
   CommandTraits traits() const;
   /// @pre a base
   /// @throws InputError a folder without a case, a case without a model, two of one name, fewer than five
-  ///   livers, `out` is a folder of something else; FileError, also where `out` cannot be written, which is
-  ///   found before the work.
+  ///   livers, no structure is known of any, `out` is a folder of something else; FileError, also where `out`
+  ///   cannot be written, which is found before the work.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 
