@@ -171,6 +171,20 @@ class BuildTest : public QObject {
     QVERIFY(complaint(changed).find("share_vena_cava") != std::string::npos);
   }
 
+  /// All atlases on one base have as many vertices and triangles.
+  void filesOfTwoAtlasesAreTold() {
+    const TemporaryFolder one, other;
+    Atlas larger = result_.atlas;
+    larger.shape.mean *= 1.01;
+    write_atlas(one.path(), result_.atlas);
+    write_atlas(other.path(), larger);
+    fs::copy_file(other.path() / "mean.vtp", one.path() / "mean.vtp", fs::copy_options::overwrite_existing);
+    QVERIFY(complaint_of(one.path()).find("mean.vtp") != std::string::npos);
+    // One of a former edition has no sum.
+    replace(one.path() / "atlas.json", "\"surface_sum\"", "\"something\"");
+    QVERIFY(complaint_of(one.path()).empty());
+  }
+
   /// A base that was built of the same cases, under the same names, has other residuals of them.
   void whatIsTakenOverIsNotJudgedAndAnOutlierIsTold() {
     std::vector<Member> members = members_;

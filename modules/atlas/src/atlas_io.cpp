@@ -11,6 +11,7 @@
 #include "glisson/core/files.h"
 #include "glisson/core/folder_exchange.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/word_sum.h"
 #include "glisson/geometry/mesh_io.h"
 
 namespace glisson::atlas {
@@ -221,6 +222,7 @@ void write_atlas(const fs::path& folder, const Atlas& atlas) {
                                    {"name", atlas.name},
                                    {"vertices", atlas.shape.mean.rows()},
                                    {"triangles", atlas.triangles.rows()},
+                                   {"surface_sum", sum_of_content(read_file(folder / kMeanFile))},
                                    {"variances_mm2", variances},
                                    {"total_variance_mm2", kMm * kMm * atlas.shape.total_variance},
                                    {"usual", atlas.usual},
@@ -292,6 +294,10 @@ Atlas read_atlas(const fs::path& given) {
   atlas.shape.mean = file.mesh.vertices;
   take_modes(atlas, file, surface.string(), atlas.shape.variances.size());
   take_shares(atlas, file, surface.string());
+  // Atlases on one base have as many vertices; those of former editions have no sum.
+  if (sheet.has("surface_sum") && sheet.text("surface_sum") != sum_of_content(read_file(surface)))
+    throw InputError(surface.string(), "vertices", "do not belong to this atlas.json",
+                     "Copy both files of one atlas");
   return atlas;
 }
 

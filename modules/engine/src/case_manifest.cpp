@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -19,6 +18,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/word_sum.h"
 #include "glisson/engine/part.h"
 
 namespace glisson::engine {
@@ -131,36 +131,6 @@ fs::path carry(const fs::directory_entry& entry, const fs::path& relative, const
   return needs_name ? kept.lexically_relative(fresh) : fs::path();
 }
 
-/// FNV-1a over words of eight bytes (the last one filled up with zeros) and the size.
-class WordSum {
- public:
-  /// All pieces but the last are whole words.
-  void add(std::string_view piece) {
-    size_ += piece.size();
-    std::uint64_t word = 0;
-    for (; piece.size() >= sizeof word; piece.remove_prefix(sizeof word)) {
-      std::memcpy(&word, piece.data(), sizeof word);
-      add_word(word);
-    }
-    if (piece.empty()) return;
-    word = 0;
-    std::memcpy(&word, piece.data(), piece.size());
-    add_word(word);
-  }
-  std::string text() const {
-    WordSum whole = *this;
-    whole.add_word(size_);
-    std::string text;
-    for (int digit = 0; digit < 16; ++digit, whole.sum_ >>= 4U) text += "0123456789abcdef"[whole.sum_ & 15U];
-    return text;
-  }
-
- private:
-  void add_word(std::uint64_t word) { sum_ = (sum_ ^ word) * 1099511628211ULL; }
-
-  std::uint64_t sum_ = 14695981039346656037ULL, size_ = 0;
-};
-
 }  // namespace
 
 std::string sum_of(const fs::path& path) {
@@ -175,12 +145,6 @@ std::string sum_of(const fs::path& path) {
     sum.add({buffer.data(), static_cast<std::size_t>(stream.gcount())});
   }
   return stream.bad() || !stream.eof() ? std::string() : sum.text();
-}
-
-std::string sum_of_content(std::string_view content) {
-  WordSum sum;
-  sum.add(content);
-  return sum.text();
 }
 
 json list_files(const fs::path& folder) {

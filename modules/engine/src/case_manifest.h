@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "glisson/core/run_context.h"
@@ -17,11 +16,9 @@ namespace glisson::engine {
 /// Says what the case's parts are: a folder that holds it is a case.
 inline constexpr const char* kCaseFile = "case.json";
 
-/// A sum over what a file holds: tells changes from none, not forgeries. Empty: it cannot be read, or is
+/// A sum over what a file holds (glisson/core/word_sum.h). Empty: it cannot be read, or is
 /// larger than any file of a case.
 std::string sum_of(const std::filesystem::path& path);
-/// The same of what a file would hold.
-std::string sum_of_content(std::string_view content);
 
 /// Each file below a folder but case.json, with a sum over what it holds, for case.json's "files".
 nlohmann::json list_files(const std::filesystem::path& folder);

@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/word_sum.h"
 #include "glisson/engine/moment_export.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/patient/overlay_record.h"
