@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cstdlib>
+#include <functional>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -290,6 +291,32 @@ class ProposalsTest : public QObject {
     }
     QVERIFY((a.modes - b.modes).norm() < 1e-9);
     QCOMPARE(landmark_notes(*opened), landmark_notes(reviewed->state));
+  }
+
+  /// A save that lost any of it is not taken for saved.
+  void whatDiffersIsSeen() {
+    const auto same = [](const CaseState& a, const CaseState& b) {
+      return Part(part::proposals).type().spec().same(a, b);
+    };
+    QVERIFY(same(state_, state_));
+    const std::vector<std::function<void(atlas::Transfer&, atlas::Proposal&)>> changes = {
+        [](auto&, auto& cava) { cava.covariances[2](1, 1) *= 1.001; },
+        [](auto&, auto& cava) { cava.covariances.pop_back(); },
+        [](auto&, auto& cava) { cava.sources[1] = Source::image; },
+        [](auto&, auto& cava) { cava.area.row(0).array() += 1e-4; },
+        [](auto&, auto& cava) { cava.origin = "another"; },
+        [](auto&, auto& cava) { ++cava.members; },
+        [](auto& all, auto&) { all.doubts.emplace_back("atlas.open_surface"); },
+        [](auto& all, auto&) { all.modes[0] += 0.01; },
+        [](auto& all, auto&) { all.unusual += 0.01; },
+        [](auto& all, auto&) { all.atlas = "another"; }};
+    for (const auto& change : changes) {
+      auto other = std::make_shared<atlas::Transfer>(*state_[part::proposals]);
+      change(*other, other->proposals[index_of(Structure::vena_cava)]);
+      CaseState lost = state_;
+      lost[part::proposals] = other;
+      QVERIFY(!same(state_, lost));
+    }
   }
 
   void cancelLeavesNothing() {

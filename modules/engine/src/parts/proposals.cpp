@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -182,15 +183,28 @@ void add_margin_notes(const CaseState& state, std::vector<std::string>& notes) {
   if (left_out > 0) notes.push_back("atlas.margin_left_out " + percent_of(left_out, margin->points.rows()));
 }
 
+/// But for what millimetres in text round.
+bool same_number(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
+
+bool same_proposal(const Proposal& a, const Proposal& b) {
+  const auto same_spread = [](const Eigen::Matrix3d& c, const Eigen::Matrix3d& d) {
+    return (c - d).norm() <= 1e-9 * c.norm();
+  };
+  return a.structure == b.structure && a.decision == b.decision && a.sources == b.sources &&
+         a.members == b.members && a.origin == b.origin && same_points(a.points, b.points) &&
+         same_points(a.area, b.area) &&
+         std::equal(a.covariances.begin(), a.covariances.end(), b.covariances.begin(), b.covariances.end(),
+                    same_spread);
+}
+
 bool same(const CaseState& written, const CaseState& found) {
   const Transfer &a = *written[part::proposals], &b = *found[part::proposals];
-  if (a.proposals.size() != b.proposals.size() || !same_points(a.surface, b.surface)) return false;
-  for (std::size_t i = 0; i < a.proposals.size(); ++i)
-    if (a.proposals[i].structure != b.proposals[i].structure ||
-        a.proposals[i].decision != b.proposals[i].decision ||
-        !same_points(a.proposals[i].points, b.proposals[i].points))
-      return false;
-  return true;
+  return a.atlas == b.atlas && a.doubts == b.doubts && same_points(a.surface, b.surface) &&
+         same_number(a.mean_distance, b.mean_distance) && same_number(a.max_distance, b.max_distance) &&
+         same_number(a.unusual, b.unusual) &&
+         std::equal(a.modes.begin(), a.modes.end(), b.modes.begin(), b.modes.end(), same_number) &&
+         std::equal(a.proposals.begin(), a.proposals.end(), b.proposals.begin(), b.proposals.end(),
+                    same_proposal);
 }
 
 }  // namespace
