@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glisson/atlas/transfer.h"
+#include "glisson/geometry/topology.h"
 #include "known_livers.h"
 
 using namespace glisson;
@@ -93,6 +94,44 @@ class ChangedLiversTest : public QObject {
       QVERIFY(std::all_of(one.sources.begin(), one.sources.end(),
                           [](Source source) { return source == Source::statistics; }));
     }
+  }
+
+  /// Where a part of the surface is not there nothing draws the atlas to it.
+  void whatLacksSurfaceIsDoubted() {
+    TriangleMesh open = member_.liver;
+    std::vector<int> kept;
+    const double low = open.vertices.col(2).minCoeff() + 0.03;
+    for (int t = 0; t < open.triangle_count(); ++t)
+      if (open.vertex(open.triangles(t, 0)).z() > low) kept.push_back(t);
+    open = select_triangles(open, kept);
+    TriangleMesh pieces = member_.liver;
+    const Eigen::Index vertices = pieces.vertices.rows(), triangles = pieces.triangles.rows();
+    pieces.vertices.conservativeResize(2 * vertices, 3);
+    pieces.vertices.bottomRows(vertices) =
+        (0.5 * member_.liver.vertices).rowwise() + Eigen::RowVector3d(0.25, 0.0, 0.0);
+    pieces.triangles.conservativeResize(2 * triangles, 3);
+    pieces.triangles.bottomRows(triangles) = member_.liver.triangles.array() + static_cast<int>(vertices);
+    const std::vector<std::pair<TriangleMesh, std::string>> livers = {{open, "atlas.open_surface"},
+                                                                      {pieces, "atlas.several_pieces 2"}};
+    for (const auto& [liver, doubt] : livers) {
+      const auto made = transfer(atlas_, liver, {}, RunContext());
+      QVERIFY(std::find(made->doubts.begin(), made->doubts.end(), doubt) != made->doubts.end());
+      for (std::size_t i = 0; i < made->proposals.size(); ++i)
+        QVERIFY2(made->proposals[i].deviation() > 1.02 * whole_.proposals[i].deviation(),
+                 structure_code(made->proposals[i].structure));
+    }
+  }
+
+  void whatLiesOtherwiseIsDoubted() {
+    TriangleMesh turned = member_.liver;
+    for (Eigen::Index v = 0; v < turned.vertices.rows(); ++v)  // a quarter round the body's long axis
+      turned.vertices.row(v) =
+          Eigen::RowVector3d(-turned.vertices(v, 1), turned.vertices(v, 0), turned.vertices(v, 2));
+    const auto made = transfer(atlas_, turned, {}, RunContext());
+    QVERIFY(std::any_of(made->doubts.begin(), made->doubts.end(),
+                        [](const std::string& doubt) { return doubt.starts_with("atlas.turned "); }));
+    for (std::size_t i = 0; i < made->proposals.size(); ++i)
+      QVERIFY(made->proposals[i].deviation() > 1.5 * whole_.proposals[i].deviation());
   }
 
  private:

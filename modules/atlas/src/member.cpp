@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "glisson/core/error.h"
@@ -84,6 +85,14 @@ Eigen::Vector3d normal_of(const TriangleMesh& surface, int triangle) {
       .normalized();
 }
 
+/// As of one disc.
+double area_of_holes(const TriangleMesh& mesh) {
+  double rim = 0.0;
+  for (const Edge& edge : edges(mesh))
+    if (edge.right < 0) rim += (mesh.vertex(edge.a) - mesh.vertex(edge.b)).norm();
+  return rim * rim / (4.0 * std::numbers::pi);
+}
+
 /// The most points that hang together.
 Points largest_cluster(const Points& points) {
   std::vector<int> cluster_of(static_cast<std::size_t>(points.rows()), -1);
@@ -156,12 +165,18 @@ PreparedLiver prepare(const TriangleMesh& liver, const std::string& name) {
   std::sort(pieces.begin(), pieces.end(),
             [](const TriangleMesh& a, const TriangleMesh& b) { return area(a) > area(b); });
   prepared.mesh = std::move(pieces.front());
+  const double own = area(prepared.mesh);
+  double left_out = 0.0;
   long large = 1;
-  for (std::size_t i = 1; i < pieces.size(); ++i)
-    if (area(pieces[i]) > kCrumb * area(prepared.mesh)) ++large;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (area(pieces[i]) <= kCrumb * own) continue;
+    ++large;
+    left_out += area(pieces[i]);
+  }
   if (large > 1) prepared.doubts.push_back("atlas.several_pieces " + std::to_string(large));
   if (!is_closed(prepared.mesh)) {
     prepared.doubts.emplace_back("atlas.open_surface");
+    left_out += area_of_holes(prepared.mesh);
   } else {
     const double inside = volume(prepared.mesh);
     if (inside < 0.0) prepared.mesh.triangles.col(1).swap(prepared.mesh.triangles.col(2));
@@ -169,6 +184,7 @@ PreparedLiver prepare(const TriangleMesh& liver, const std::string& name) {
       throw InputError(name, "liver", "holds " + std::to_string(std::lround(std::abs(inside) * 1e6)) + " ml",
                        "Give the whole liver's surface");
   }
+  prepared.lacking = left_out / (left_out + own);
   return prepared;
 }
 

@@ -23,6 +23,10 @@ constexpr double kRidgeDeviation = 0.002;  // metres, of the ridge across its co
 constexpr double kReach = 0.02;            // metres, of a point's surroundings
 constexpr double kGoodFit = 0.0015;        // metres, mean distance between the surfaces
 constexpr double kMuchTurned = 45.0;       // degrees
+/// Over the deviations, where the liver may be another than it is taken for: a place on its other side, or on
+/// a part that is not there, lies about twice as far as the statistics reach.
+constexpr double kPerhapsElsewhere = 2.0;
+constexpr double kMostLacking = 0.75;    // share of the surface up to which it counts
 constexpr double kManyFolded = 0.02;     // share of the triangles
 constexpr double kContradiction = 30.0;  // squared Mahalanobis distance: once in a million
 
@@ -35,7 +39,8 @@ std::string note(const char* code, double value, int decimals) {
 /// The atlas on one liver.
 class Placed {
  public:
-  Placed(const Atlas& atlas, const Correspondence& found, Handedness side, Transfer& out)
+  /// @param lacking share of the liver's surface that is not there
+  Placed(const Atlas& atlas, const Correspondence& found, Handedness side, double lacking, Transfer& out)
       : atlas_(atlas),
         there_{found.vertices, atlas.triangles},
         mean_(atlas.mean()),
@@ -51,7 +56,7 @@ class Placed {
     out.max_distance = found.max_distance;
     out.modes = atlas.shape.coefficients(shape).cwiseQuotient(atlas.shape.variances.cwiseSqrt());
     out.unusual = unusual(atlas.shape, shape) / std::max(1e-9, atlas.usual);
-    doubt(found, side);
+    doubt(found, side, lacking);
   }
 
   Proposal propose(const StructureStatistics& statistics) const {
@@ -82,7 +87,7 @@ class Placed {
   const Eigen::Matrix3d& upright() const { return upright_; }
 
  private:
-  void doubt(const Correspondence& found, Handedness side) {
+  void doubt(const Correspondence& found, Handedness side, double lacking) {
     std::vector<std::string>& doubts = out_.doubts;
     growth_ = std::max(1.0, out_.unusual);
     if (out_.unusual > 1.0) doubts.push_back(note("atlas.unusual_shape", out_.unusual, 2));
@@ -102,7 +107,12 @@ class Placed {
     }
     if (side == Handedness::uncertain) doubts.emplace_back("atlas.perhaps_mirrored");
     if (side == Handedness::no_liver) doubts.emplace_back("atlas.no_whole_liver");
-    if (found.turned_deg > kMuchTurned) doubts.push_back(note("atlas.turned", found.turned_deg, 0));
+    if (side != Handedness::right) fit_growth_ *= kPerhapsElsewhere;
+    if (found.turned_deg > kMuchTurned) {
+      doubts.push_back(note("atlas.turned", found.turned_deg, 0));
+      fit_growth_ *= found.turned_deg / kMuchTurned;
+    }
+    fit_growth_ /= 1.0 - std::min(kMostLacking, lacking);
   }
 
   /// What disease or a surgeon has squeezed is no better known for it: of a shape that is more unusual than
@@ -243,7 +253,7 @@ Cancellable<Transfer> transfer(const Atlas& atlas, const TriangleMesh& liver, co
   Transfer result;
   result.atlas = atlas.name;
   result.doubts = prepared.doubts;
-  const Placed placed(atlas, *found, *side, result);
+  const Placed placed(atlas, *found, *side, prepared.lacking, result);
   const ClosestPointTree tree(prepared.mesh);
   for (const StructureStatistics& statistics : atlas.structures) {
     Proposal proposal = placed.propose(statistics);

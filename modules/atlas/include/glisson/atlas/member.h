@@ -36,6 +36,9 @@ Points contact(const TriangleMesh& liver, const TriangleMesh& other, double reac
 struct PreparedLiver {
   TriangleMesh mesh;                ///< the largest piece
   std::vector<std::string> doubts;  ///< "atlas.open_surface", "atlas.several_pieces 3"
+  /// Share of the surface that it lacks: other pieces, and holes, each as large as a disc with a rim as long
+  /// as all of theirs.
+  double lacking = 0.0;
 };
 /// Leaves out what does not hang together with the largest piece; says what is doubtful.
 /// @throws InputError nothing there, or of no plausible size.
