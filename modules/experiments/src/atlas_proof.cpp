@@ -147,6 +147,7 @@ class Proof {
       (is_for_development(liver.name) ? even : odd).push_back(liver);
       proof_.table.push_back(row(liver, "others"));
     }
+    for (const std::string& note : result->notes) proof_.table.push_back("told: " + note);
     add(proof_.figures, "real_", result->left_out);
     add(proof_.figures, "real_even_", even);
     add(proof_.figures, "real_odd_", odd);

@@ -39,7 +39,9 @@ struct AtlasProof {
   /// "effect_" (landmark_effect.h, in silico).
   Figures figures;
   std::vector<std::string> absent;  ///< real data that were left out
-  std::vector<std::string> table;   ///< a row a source of landmarks, then a row a real liver
+  /// A row a source of landmarks, then a row a real liver, then what the build of these told
+  /// ("atlas.outlier").
+  std::vector<std::string> table;
 };
 const std::vector<Aim>& atlas_aims();
 
