@@ -123,7 +123,7 @@ class ProposalsTest : public QObject {
     QVERIFY(notch->deviation() < proposal_of(state_, Structure::umbilical_notch)->deviation());
   }
 
-  /// Registration weighs no pieces: what nothing but statistics says stays out, and that is said.
+  /// Where nothing but statistics says where it runs it stays out, and that is said.
   void ofAMarginOnlyWhatIsShownIsUsed() {
     const auto accepted =
         ReviewProposal{Structure::anterior_margin, Decision::accepted}.apply(state_, RunContext());

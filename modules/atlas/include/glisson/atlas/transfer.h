@@ -66,7 +66,7 @@ Evidence evidence_of(const PatientModel& model);
 
 /// Puts the atlas on a patient's liver (README: "Transfer"). Empty: cancelled.
 /// @throws InputError no liver, implausible size, a liver that is plainly mirrored
-///   (of real ones three in ten are recognised).
+///   (of real ones nearly all are recognised; README: "Correspondence").
 Cancellable<Transfer> transfer(const Atlas& atlas, const TriangleMesh& liver, const Evidence& evidence,
                                const RunContext& context);
 
