@@ -9387,6 +9387,10 @@
         <translation>echte Lebern aus den anderen: Oberfläche, schlechteste Leber, mm</translation>
     </message>
     <message>
+        <source>real livers by the others: correspondence, worst liver, mm</source>
+        <translation>echte Lebern aus den anderen: Korrespondenz, schlechteste Leber, mm</translation>
+    </message>
+    <message>
         <source>real livers by the others: vena cava&apos;s contact, mean, mm</source>
         <translation>echte Lebern aus den anderen: Kontakt der Vena cava, Mittel, mm</translation>
     </message>
@@ -9411,12 +9415,20 @@
         <translation>echte Lebern aus den anderen: Wahrheit in den 95-%-Ellipsoiden, höchstens</translation>
     </message>
     <message>
+        <source>validation livers by the others: truth within the 95 % ellipsoids</source>
+        <translation>Lebern der Validierung aus den anderen: Wahrheit in den 95-%-Ellipsoiden</translation>
+    </message>
+    <message>
         <source>real livers by the built-in atlas: vena cava&apos;s contact, mean, mm</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Kontakt der Vena cava, Mittel, mm</translation>
     </message>
     <message>
         <source>real livers by the built-in atlas: truth within the 95 % ellipsoids</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Wahrheit in den 95-%-Ellipsoiden</translation>
+    </message>
+    <message>
+        <source>validation livers by the built-in atlas: truth within the 95 % ellipsoids</source>
+        <translation>Lebern der Validierung mit dem eingebauten Atlas: Wahrheit in den 95-%-Ellipsoiden</translation>
     </message>
     <message>
         <source>real livers mirrored: share that is refused</source>

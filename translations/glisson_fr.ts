@@ -9387,6 +9387,10 @@
         <translation>foies réels par les autres : surface, pire foie, mm</translation>
     </message>
     <message>
+        <source>real livers by the others: correspondence, worst liver, mm</source>
+        <translation>foies réels par les autres : correspondance, pire foie, mm</translation>
+    </message>
+    <message>
         <source>real livers by the others: vena cava&apos;s contact, mean, mm</source>
         <translation>foies réels par les autres : contact de la veine cave, moyenne, mm</translation>
     </message>
@@ -9411,12 +9415,20 @@
         <translation>foies réels par les autres : vérité dans les ellipsoïdes à 95 %, au plus</translation>
     </message>
     <message>
+        <source>validation livers by the others: truth within the 95 % ellipsoids</source>
+        <translation>foies de validation par les autres : vérité dans les ellipsoïdes à 95 %</translation>
+    </message>
+    <message>
         <source>real livers by the built-in atlas: vena cava&apos;s contact, mean, mm</source>
         <translation>foies réels par l&apos;atlas intégré : contact de la veine cave, moyenne, mm</translation>
     </message>
     <message>
         <source>real livers by the built-in atlas: truth within the 95 % ellipsoids</source>
         <translation>foies réels par l&apos;atlas intégré : vérité dans les ellipsoïdes à 95 %</translation>
+    </message>
+    <message>
+        <source>validation livers by the built-in atlas: truth within the 95 % ellipsoids</source>
+        <translation>foies de validation par l&apos;atlas intégré : vérité dans les ellipsoïdes à 95 %</translation>
     </message>
     <message>
         <source>real livers mirrored: share that is refused</source>
