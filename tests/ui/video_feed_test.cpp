@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <atomic>
 #include <mutex>
 #include <stdexcept>
 #include <vector>
@@ -20,6 +21,7 @@ class VideoFeedTest : public QObject {
  private slots:
   void WhatALibraryThrowsIsTold();
   void ALiveSourceIsNeitherSlowedNorHeldBack();
+  void ALiveSourceStartsAtOnceWhateverFrameWasTaken();
 };
 
 void VideoFeedTest::WhatALibraryThrowsIsTold() {
@@ -63,6 +65,19 @@ void VideoFeedTest::ALiveSourceIsNeitherSlowedNorHeldBack() {
   const std::size_t paused = indices().size();
   feed.step();
   QTRY_COMPARE(indices().size(), paused + 1);
+}
+
+void VideoFeedTest::ALiveSourceStartsAtOnceWhateverFrameWasTaken() {
+  PeerProcess server({"serve", "good"});
+  const QString port = server.wait_for([](const Words& words) { return words.value(0) == "port"; }).value(1);
+  std::atomic<int> first = -1;
+  ui::VideoFeed feed([&](const StereoFrame& frame) {
+    int none = -1;
+    first.compare_exchange_strong(none, frame.index);
+  });
+  // A quarter of an hour of its frames, were they waited for.
+  feed.start({stereo::igtl_source(("127.0.0.1:" + port + "/Left,Right").toStdString()), {}}, 100'000);
+  QTRY_COMPARE(first.load(), 0);
 }
 
 }  // namespace glisson

@@ -92,7 +92,8 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
     const double rate = video.frames_per_second() > 0.0 ? video.frames_per_second() : 30.0;
     rate_ = rate;
     StereoFrame frame;
-    for (int skipped = 0; skipped < first && !stop.stop_requested(); ++skipped)
+    // What is live counts from this opening: none of its frames lies before `first`, each is of now.
+    for (int skipped = 0; !video.is_live() && skipped < first && !stop.stop_requested(); ++skipped)
       if (!video.read(frame)) break;
     Clock::time_point due = Clock::now();
     while (!stop.stop_requested() && video.read(frame)) {

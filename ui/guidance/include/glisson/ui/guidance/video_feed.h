@@ -27,7 +27,8 @@ class VideoFeed : public QObject {
   explicit VideoFeed(std::function<void(StereoFrame)> sink, QObject* parent = nullptr);
   ~VideoFeed() override;
 
-  /// @param first index of the first frame that goes to the sink.
+  /// @param first index of the first frame that goes to the sink; a live source starts with its next one, as
+  /// 0.
   void start(const engine::VideoSource& source, int first);
   void stop();
   /// While it is paused no frame goes to the sink but those of step().
