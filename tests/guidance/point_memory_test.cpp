@@ -24,6 +24,7 @@ class PointMemoryTest : public QObject {
   void PointsThatSlippedAreTakenBack();
   void PlacesThatComeBackAreBoundAsAtFirst();
   void WhatWasBoundAtAWrongPlaceIsForgotten();
+  void DarkFramesSayNothingOfSinglePoints();
   void LongFollowingDoesNotDrift();
 
  private:
@@ -162,7 +163,7 @@ void PointMemoryTest::PointsThatSlippedAreTakenBack() {
   for (std::size_t i = 0; i < first.size(); ++i)
     QVERIFY(b.follower.put(i, first[i].left + slip, first[i].right + slip));
   // Each has its turn within six frames.
-  for (int frame = 1; frame <= 6; ++frame) b.memory.confirm(b.follower, surface(), frame);
+  for (int frame = 1; frame <= 6; ++frame) b.memory.confirm(b.follower, surface());
   std::vector<double> off;
   for (std::size_t i = 0; i < first.size(); ++i)
     off.push_back((b.follower.points()[i].left - first[i].left).norm());
@@ -196,6 +197,34 @@ void PointMemoryTest::WhatWasBoundAtAWrongPlaceIsForgotten() {
   QCOMPARE(b.memory.size(), all);
   b.memory.forget_since(-1);
   QCOMPARE(b.memory.size(), std::size_t{0});
+}
+
+void PointMemoryTest::DarkFramesSayNothingOfSinglePoints() {
+  Registration start;
+  start.nodes_in_camera = nodes_;
+  TrackerOptions options = phantom::free_body();
+  options.judge.enabled = false;
+  options.points = 50;  // of which half would be fewer than it needs
+  Tracker tracker(model_, start, options);
+  tracker.begin(rig_, film_[0], {});
+  const auto seen = [&](StereoFrame frame, int n) {
+    frame.index = n;
+    frame.seconds = n / 30.0;
+    return tracker.follow(frame);
+  };
+  StereoFrame dark = film_[0];
+  const auto black = std::make_shared<std::vector<std::uint8_t>>(dark.left.bytes->size(), 3);
+  dark.left.bytes = dark.right.bytes = black;
+  constexpr int kBefore = 12, kDark = 120, kAfter = 12;
+  int n = 0, before = 0;
+  for (; n < kBefore; ++n) before = seen(film_[0], n).pairs;
+  QVERIFY(before >= 40);
+  for (; n < kBefore + kDark; ++n) QVERIFY(seen(dark, n).validity != Validity::valid);
+  for (; n < kBefore + kDark + kAfter; ++n) {
+    const OverlayFrame overlay = seen(film_[0], n);
+    QVERIFY2(overlay.validity == Validity::valid && 10 * overlay.pairs >= 9 * before,
+             qPrintable(QString("%1 of %2 pairs").arg(overlay.pairs).arg(before)));
+  }
 }
 
 void PointMemoryTest::LongFollowingDoesNotDrift() {

@@ -9,8 +9,8 @@
 namespace glisson::guidance {
 namespace {
 
-/// In frames, not seconds, because a followed point drifts by a little in every frame. A point is looked for
-/// in its first picture every kEvery frames; one that was not found for kLost frames is lost.
+/// In followed frames, not seconds, because a followed point drifts by a little in every one. A point is
+/// looked for in its first picture every kEvery of them; one that was not found in kLost is lost.
 constexpr int kEvery = 6, kLost = 90;
 /// Least likeness of a patch that is found; below it, it may be another place of similar tissue.
 constexpr double kAlike = 0.8;
@@ -64,7 +64,8 @@ void PointMemory::remember(const FollowedPoint& point, const Anchor& anchor, con
   if (places_.size() >= kPlaces) return;
   Place place;
   place.anchor = anchor;
-  place.born = place.confirmed = frame;
+  place.born = frame;
+  place.confirmed = confirmations_;
   add_look(place, point, pictures, surface);
   if (!place.looks.empty()) places_[point.id] = std::move(place);
 }
@@ -101,8 +102,8 @@ std::optional<PointMemory::Seen> PointMemory::find(const Place& place, const Eig
   return Seen{*in_left, *in_right, stretch};
 }
 
-std::vector<char> PointMemory::confirm(StereoFollower& follower, const registration::MovingSurface& surface,
-                                       int frame) {
+std::vector<char> PointMemory::confirm(StereoFollower& follower, const registration::MovingSurface& surface) {
+  ++confirmations_;
   const std::size_t n = follower.points().size();
   std::vector<char> kept(n, 1);
   std::size_t lost = 0;
@@ -111,14 +112,14 @@ std::vector<char> PointMemory::confirm(StereoFollower& follower, const registrat
     const auto known = places_.find(point.id);
     if (known == places_.end()) continue;
     Place& place = known->second;
-    if ((point.id + frame) % kEvery == 0) {
+    if ((point.id + confirmations_) % kEvery == 0) {
       const auto seen = find(place, point.left, point.right, kMostOff, follower, surface);
       if (seen && follower.put(i, seen->left.at, seen->right.at)) {
-        place.confirmed = frame;
+        place.confirmed = confirmations_;
         if (seen->stretch > std::log(kNewLook)) add_look(place, follower.points()[i], follower, surface);
       }
     }
-    kept[i] = frame - place.confirmed <= kLost;
+    kept[i] = confirmations_ - place.confirmed <= kLost;
     lost += kept[i] == 0;
   }
   // Where most have gone the picture has changed (smoke, light): that says nothing of single points.
@@ -158,7 +159,7 @@ int PointMemory::recall(StereoFollower& follower, AnchoredPoints& anchors,
     }
     anchors.bind(id, place.anchor);
     place.misses = 0;
-    place.confirmed = frame;
+    place.confirmed = confirmations_;
     taken.push_back(seen->left.at);
     ++added;
   }

@@ -22,10 +22,11 @@ class PointMemory {
   /// Keeps how a newly bound point looks. @param frame number, ascending.
   void remember(const FollowedPoint& point, const Anchor& anchor, const StereoFollower& pictures,
                 const registration::MovingSurface& surface, int frame);
-  /// Moves points to where their kept looks are found, each point every sixth frame. One that was not found
-  /// for three seconds is let go, unless most are not found: then the whole picture has changed.
+  /// Moves points to where their kept looks are found, each point every sixth time. One that was not found
+  /// in the last ninety times is let go, unless most are not found: then the whole picture has changed.
+  /// Frames in which it is not called, as dark ones, say nothing of any point.
   /// @return one decision a point, false: let it go.
-  std::vector<char> confirm(StereoFollower& follower, const registration::MovingSurface& surface, int frame);
+  std::vector<char> confirm(StereoFollower& follower, const registration::MovingSurface& surface);
   /// Follows places again that were lost and should be in sight. Oldest first: they were bound closest in
   /// time to the registration. @param spacing pixels between points. @return how many.
   int recall(StereoFollower& follower, AnchoredPoints& anchors, const registration::MovingSurface& surface,
@@ -55,7 +56,7 @@ class PointMemory {
     Anchor anchor;
     std::vector<Look> looks;
     int born = 0;       ///< frame
-    int confirmed = 0;  ///< frame in which it was found last
+    int confirmed = 0;  ///< confirmations_ when it was found last
     int try_from = 0;   ///< frame from which recall() looks for it again
     int misses = 0;     ///< times in a row that it did so in vain
   };
@@ -79,6 +80,7 @@ class PointMemory {
 
   StereoRig rig_;
   std::map<int, Place> places_;  ///< by the point's id
+  int confirmations_ = 0;        ///< calls of confirm()
 };
 
 }  // namespace glisson::guidance

@@ -318,7 +318,7 @@ struct Tracker::Impl {
   }
 
   Validity follow_points(OverlayFrame& overlay) {
-    follower->keep(memory->confirm(*follower, body.surface(), frames));
+    follower->keep(memory->confirm(*follower, body.surface()));
     std::vector<Eigen::Vector3d> gaps = anchors.gaps(follower->points(), body.surface());
     const std::vector<char> good =
         consistent(follower->points(), gaps, kConsistentDeviations, kConsistentFloor);
