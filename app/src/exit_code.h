@@ -10,7 +10,7 @@ enum ExitCode : int {
   kDone = 0,
   kFailed = 1,      ///< an error; an aim that is not met
   kUsage = 2,       ///< the command line itself
-  kIncomplete = 3,  ///< no aim is missed, but some could not be measured: their data are not there
+  kIncomplete = 3,  ///< no aim is missed, but some could not be measured, or not on all: data are not there
   kRefused = 3,     ///< a result was reached, and evidence contradicts it: nothing was written
   kCancelled = 130
 };

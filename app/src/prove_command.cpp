@@ -149,7 +149,7 @@ int run_prove(const QStringList& given) {
   say_absent(page.absent);
   say_aims(page);
   write_page(arguments, *proof, page);
-  return exit_code(experiments::verdict(page.aims, page.figures));
+  return exit_code(experiments::verdict(page));
 }
 
 }  // namespace glisson::app

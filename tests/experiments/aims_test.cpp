@@ -25,8 +25,7 @@ const std::vector<Aim>& tiny_aims() {
   return kAims;
 }
 
-std::string page_of(const Figures& figures, const std::vector<std::string>& absent = {}) {
-  const TemporaryFolder folder;
+ProofPage page_with(const Figures& figures, const std::vector<std::string>& absent = {}) {
   ProofPage page;
   page.title = "A ball";
   page.introduction = "Measured on a ball.";
@@ -35,7 +34,17 @@ std::string page_of(const Figures& figures, const std::vector<std::string>& abse
   page.figures = figures;
   page.absent = absent;
   page.table = {"trial  points", "near      100"};
-  write_page(folder.path() / "ball.md", page);
+  return page;
+}
+
+/// What the program leaves with.
+int left_with(const Figures& figures, const std::vector<std::string>& absent = {}) {
+  return app::exit_code(verdict(page_with(figures, absent)));
+}
+
+std::string page_of(const Figures& figures, const std::vector<std::string>& absent = {}) {
+  const TemporaryFolder folder;
+  write_page(folder.path() / "ball.md", page_with(figures, absent));
   return read_file(folder.path() / "ball.md");
 }
 
@@ -47,6 +56,7 @@ class AimsTest : public QObject {
   void BoundsAreMetThemselves();
   void OneMissedAimFailsTheProof();
   void WhatWasNotMeasuredIsNotMet();
+  void WhatWasAbsentIsNotMet();
   void ThePageSaysFigureAimAndVerdict();
   void ThePageHoldsNoTimes();
   void ThePageHoldsTimesThatAreAims();
@@ -66,15 +76,20 @@ void AimsTest::BoundsAreMetThemselves() {
 }
 
 void AimsTest::OneMissedAimFailsTheProof() {
-  QCOMPARE(app::exit_code(verdict(tiny_aims(), {{"dice", 0.95}, {"error_mm", 0.2}})), 0);
-  QCOMPARE(app::exit_code(verdict(tiny_aims(), {{"dice", 0.95}, {"error_mm", 0.9}})), 1);
-  QCOMPARE(app::exit_code(verdict(tiny_aims(), {{"error_mm", 0.9}})), 1);
+  QCOMPARE(left_with({{"dice", 0.95}, {"error_mm", 0.2}}), 0);
+  QCOMPARE(left_with({{"dice", 0.95}, {"error_mm", 0.9}}), 1);
+  QCOMPARE(left_with({{"error_mm", 0.9}}), 1);
 }
 
 void AimsTest::WhatWasNotMeasuredIsNotMet() {
-  QCOMPARE(app::exit_code(verdict(tiny_aims(), {{"dice", 0.95}})), 3);
-  QCOMPARE(app::exit_code(verdict(tiny_aims(), {})), 3);
-  QCOMPARE(app::exit_code(verdict(tiny_aims(), {{"dice", 0.95}, {"error_mm", std::nan("")}})), 3);
+  QCOMPARE(left_with({{"dice", 0.95}}), 3);
+  QCOMPARE(left_with({}), 3);
+  QCOMPARE(left_with({{"dice", 0.95}, {"error_mm", std::nan("")}}), 3);
+}
+
+void AimsTest::WhatWasAbsentIsNotMet() {
+  QCOMPARE(left_with({{"dice", 0.95}, {"error_mm", 0.2}}, {"fault another_patient"}), 3);
+  QCOMPARE(left_with({{"dice", 0.95}, {"error_mm", 0.9}}, {"fault another_patient"}), 1);
 }
 
 void AimsTest::ThePageSaysFigureAimAndVerdict() {

@@ -68,10 +68,10 @@ Verdict verdict(const Aim& aim, const Figures& figures) {
   return met ? Verdict::met : Verdict::missed;
 }
 
-Verdict verdict(const std::vector<Aim>& aims, const Figures& figures) {
-  Verdict all = Verdict::met;
-  for (const Aim& aim : aims) {
-    const Verdict one = verdict(aim, figures);
+Verdict verdict(const ProofPage& page) {
+  Verdict all = page.absent.empty() ? Verdict::met : Verdict::not_measured;
+  for (const Aim& aim : page.aims) {
+    const Verdict one = verdict(aim, page.figures);
     if (one == Verdict::missed) return Verdict::missed;
     if (one == Verdict::not_measured) all = Verdict::not_measured;
   }

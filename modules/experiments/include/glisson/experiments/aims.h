@@ -32,8 +32,6 @@ enum class Verdict { met, missed, not_measured };
 
 /// Of one aim; the unrounded figure is compared.
 Verdict verdict(const Aim& aim, const Figures& figures);
-/// Of all together: missed when one is; else not_measured when one is; else met.
-Verdict verdict(const std::vector<Aim>& aims, const Figures& figures);
 
 /// A proof as it is written down.
 struct ProofPage {
@@ -45,6 +43,9 @@ struct ProofPage {
   std::vector<std::string> unused;  ///< data that were there, and that nothing was measured on
   std::vector<std::string> table;   ///< lines of fixed width, the first the heads; may be empty
 };
+/// Of all together: missed when an aim is; else not_measured when one is, or when something was absent, for
+/// then figures hold less than the page says; else met.
+Verdict verdict(const ProofPage& page);
 /// Markdown: the aims with what was measured, then the table, then all other figures. Holds no dates,
 /// and no times but those that are aims, so that the same figures give the same file. Atomic. @throws
 /// FileError.
