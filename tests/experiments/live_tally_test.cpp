@@ -61,6 +61,7 @@ class LiveTallyTest : public QObject {
   void AScoreFromOneOnReachesALimit();
   void TimesAreCountedInTheFilmsFrames();
   void AnOverlayThatWentBeforeMayStandWrongLater();
+  void WhatIsBackIsRightAgain();
   void LesionsAreHeldAgainstTheirOwnErrors();
   void ThePageHoldsRocAndTheModelThatStays();
   void WhatDidNotHappenMeetsNoAim();
@@ -141,6 +142,19 @@ void LiveTallyTest::AnOverlayThatWentBeforeMayStandWrongLater() {
   FaultTally went;
   went.add(run_of([](int k) { return k >= 38; }));
   QCOMPARE(went.latest, 0);
+}
+
+void LiveTallyTest::WhatIsBackIsRightAgain() {
+  std::vector<JudgedFrame> run;
+  for (int k = 1; k < 60; ++k)  // back at once, but right only when it has been corrected
+    run.push_back(
+        judged(k, k < 42 ? 8e-3 : 1e-3, k < 30 ? Validity::too_few_points : Validity::valid, false));
+  FaultTally tally;
+  tally.add_return(run, 30);
+  QCOMPARE(tally.returned, 12);
+  FaultTally never;
+  never.add_return({run.begin(), run.begin() + 40}, 30);
+  QCOMPARE(never.returned, 11);  // to the film's end at least
 }
 
 void LiveTallyTest::LesionsAreHeldAgainstTheirOwnErrors() {

@@ -78,7 +78,7 @@ void FaultTally::add_return(const std::vector<JudgedFrame>& run, int good_from) 
   if (good_from < 0) return;
   int first = run.back().frame + 1;
   for (const JudgedFrame& judged : run)
-    if (judged.frame >= good_from && judged.frame < first && judged.error < kFarFrame && judged.is_valid())
+    if (judged.frame >= good_from && judged.frame < first && judged.error < kNearFrame && judged.is_valid())
       first = judged.frame;
   returned = std::max(returned, first - good_from);
 }

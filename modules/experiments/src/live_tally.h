@@ -24,8 +24,9 @@ struct FaultTally {
   double shown_sum = 0.0, frozen_sum = 0.0;
   int shown_frames = 0;
   std::map<std::string, int> shown;  ///< frames, by what is said of them
-  int returned = -1;  ///< thirtieths of a second from where the picture is good again to a right overlay
-  int latest = -1;    ///< likewise the longest run of frames over 10 mm that are valid; -1: none is over
+  /// Thirtieths of a second from where the picture is good again to a valid overlay under 3 mm.
+  int returned = -1;
+  int latest = -1;  ///< likewise the longest run of frames over 10 mm that are valid; -1: none is over
   std::vector<double> milliseconds;
 
   void add(const std::vector<JudgedFrame>& run);
