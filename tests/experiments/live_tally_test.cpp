@@ -58,7 +58,7 @@ class LiveTallyTest : public QObject {
   Q_OBJECT
  private slots:
   void AreaIsHowOftenAFarFrameScoresMore();
-  void AScoreFromOneOnReachesALimit();
+  void AScoreIsTheJudgesOwn();
   void TimesAreCountedInTheFilmsFrames();
   void AnOverlayThatWentBeforeMayStandWrongLater();
   void WhatIsBackIsRightAgain();
@@ -86,29 +86,16 @@ void LiveTallyTest::AreaIsHowOftenAFarFrameScoresMore() {
   QCOMPARE(roc.far_hidden(0.4), 1.0);
 }
 
-void LiveTallyTest::AScoreFromOneOnReachesALimit() {
-  const guidance::JudgeOptions limits;
-  OverlayFrame overlay;
-  overlay.validity = Validity::valid;
-  QCOMPARE(evidence_score(overlay, limits), 0.0);  // nothing was judged yet
-  overlay.evidence.judged = true;
-  QVERIFY(evidence_score(overlay, limits) < 1.0);
-  const auto scored = [&](auto change) {
-    OverlayFrame changed = overlay;
-    change(changed.evidence);
-    return evidence_score(changed, limits);
-  };
-  using Seen = glisson::Evidence;
-  QCOMPARE(scored([&](Seen& e) { e.gap = 1.5 * limits.gap; }), 1.5);
-  QCOMPARE(scored([&](Seen& e) { e.local = 1.5 * limits.local; }), 1.5);
-  QCOMPARE(scored([&](Seen& e) { e.lifted = 2.0 * limits.lifted; }), 2.0);
-  QCOMPARE(scored([&](Seen& e) { e.rows = -2.0 * limits.rows; }), 2.0);
-  QVERIFY(scored([&](Seen& e) { e.pull = 2.0 * limits.pull, e.pull_sigma = 0.8 * limits.unknown; }) <
-          1.0 + 1e-9);
-  QVERIFY(scored([&](Seen& e) { e.motion = 1.0, e.fresh = 0.0; }) > 1.0);
-  QVERIFY(scored([&](Seen& e) { e.motion = 1.0, e.fresh = 1.0; }) < 1.0);
-  overlay.validity = Validity::too_few_points;
-  QVERIFY(std::isinf(evidence_score(overlay, limits)));
+void LiveTallyTest::AScoreIsTheJudgesOwn() {
+  JudgedFrame one = judged(1, 1e-3, Validity::valid, false);
+  one.strength = 1.5;
+  QCOMPARE(evidence_score(one), 0.0);  // nothing was judged yet
+  one.overlay.evidence.judged = true;
+  QCOMPARE(evidence_score(one), 1.5);
+  one.overlay.validity = Validity::surface_apart;
+  QCOMPARE(evidence_score(one), 1.5);
+  one.overlay.validity = Validity::too_few_points;
+  QVERIFY(std::isinf(evidence_score(one)));
 }
 
 void LiveTallyTest::TimesAreCountedInTheFilmsFrames() {

@@ -177,6 +177,7 @@ void JudgePictureTest::ViewsShiftedAlongTheirRowsChangeTheSizeOfAllThatIsSeen() 
     QVERIFY2(k > 4 || found != Validity::views_apart, qPrintable(QString::number(k)));
   }
   QVERIFY2(found == Validity::views_apart, validity_code(found));
+  QVERIFY(judge.strength() >= 1.0);  // no number of Evidence holds it
 }
 
 void JudgePictureTest::WhatIsWrongFromTheFirstIsNoNorm() {
@@ -404,6 +405,7 @@ void JudgePictureTest::AStillPictureIsToldFromACopy() {
                           .arg(validity_code(overlay.validity))
                           .arg(overlay.evidence.motion)
                           .arg(overlay.evidence.fresh)));
+  QCOMPARE(tracker.evidence_strength() < 1.0, overlay.validity == Validity::valid);
 }
 
 void JudgePictureTest::ACopyIsToldWhereTooFewPointsTellOfMotion() {

@@ -291,6 +291,7 @@ void JudgeTest::WrongStartIsWithdrawnAndTheRightOneIsNot() {
       const OverlayFrame overlay = tracker.follow(frame(k));
       QVERIFY(overlay.evidence.judged || overlay.validity != Validity::valid);
       QVERIFY2((overlay.validity == Validity::valid) == (off == 0.0), validity_code(overlay.validity));
+      QCOMPARE(tracker.evidence_strength() < 1.0, off == 0.0);
     }
   }
 }

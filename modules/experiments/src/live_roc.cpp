@@ -56,20 +56,11 @@ std::vector<std::string> Roc::table(const std::string& title) const {
   return lines;
 }
 
-double evidence_score(const OverlayFrame& overlay, const guidance::JudgeOptions& limits) {
-  if (!is_followed(overlay.validity) || overlay.validity == Validity::residual_too_large)
+double evidence_score(const JudgedFrame& judged) {
+  const Validity validity = judged.overlay.validity;
+  if (!is_followed(validity) || validity == Validity::residual_too_large)
     return std::numeric_limits<double>::infinity();
-  const glisson::Evidence& e = overlay.evidence;
-  if (!e.judged) return 0.0;
-  constexpr double kLeast = 1e-6;
-  const double pull =
-      std::min(e.pull / limits.pull, e.pull / (limits.pull_sigmas * std::max(e.pull_sigma, kLeast)));
-  // Motion is not known for the first 0.4 s.
-  const double still =
-      e.motion > 0.0 ? std::min(limits.motion / e.motion, limits.fresh / std::max(e.fresh, kLeast)) : 0.0;
-  return std::max({e.gap / limits.gap, e.local / limits.local, e.behind / limits.behind,
-                   e.lifted / limits.lifted, e.before / limits.before, pull, e.pull_sigma / limits.unknown,
-                   std::abs(e.rows) / limits.rows, limits.contrast / std::max(e.contrast, kLeast), still});
+  return judged.overlay.evidence.judged ? judged.strength : 0.0;
 }
 
 double lesion_score(const LesionVerdict& verdict, double margin) {

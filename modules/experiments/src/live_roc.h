@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "glisson/core/json_file.h"
-#include "glisson/guidance/judge_options.h"
 #include "live_run.h"
 
 namespace glisson::experiments {
@@ -32,9 +31,9 @@ class Roc {
   std::vector<double> far_, sound_;  ///< scores; over 10 mm, and under 3 without a fault
 };
 
-/// From 1 on one of the limits is reached by the evidence of this frame alone, without hysteresis; infinite
+/// From 1 on one of the judge's limits is reached by what was measured last, without hysteresis; infinite
 /// where the tracker itself has no overlay.
-double evidence_score(const OverlayFrame& overlay, const guidance::JudgeOptions& limits);
+double evidence_score(const JudgedFrame& judged);
 /// Likewise of one lesion, by the reach of its region.
 double lesion_score(const LesionVerdict& verdict, double margin);
 

@@ -127,6 +127,7 @@ std::vector<JudgedFrame> run_live(const LiveStage& stage, const LiveFault& fault
     JudgedFrame judged;
     judged.frame = k;
     judged.overlay = tracker.follow(shown.frame(k));
+    judged.strength = tracker.evidence_strength();
     judged.faulty = !fault.is_sound && (k >= onset || fault.is_mirrored || !(fault.show || fault.is_lifted));
     judged.error = shown.error(targets.apply(stage.model.mesh, judged.overlay.nodes_in_camera), k);
     judged.frozen = shown.error(frozen, k);
@@ -141,7 +142,7 @@ std::vector<JudgedFrame> run_live(const LiveStage& stage, const LiveFault& fault
 const char* const kFrameHeads =
     "stage,fault,frame,faulty,error_mm,frozen_mm,validity,pairs,residual_mm,supported,gap,local,behind,"
     "before,"
-    "lifted,pull_mm,pull_sigma_mm,contrast,motion,fresh,rows_px,ms\n";
+    "lifted,pull_mm,pull_sigma_mm,contrast,motion,fresh,rows_px,strength,ms\n";
 const char* const kLesionHeads = "stage,fault,frame,faulty,lesion,error_mm,level,reach_mm\n";
 
 std::string frame_line(const std::string& stage, const std::string& fault, const JudgedFrame& judged) {
@@ -150,11 +151,12 @@ std::string frame_line(const std::string& stage, const std::string& fault, const
   std::snprintf(
       line, sizeof line,
       "%s,%s,%d,%d,%.3f,%.3f,%s,%d,%.3f,%.3f,%.3f,%.3f,%.4f,%.4f,%.4f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,"
-      "%.2f\n",
+      "%.3f,%.2f\n",
       stage.c_str(), fault.c_str(), judged.frame, judged.faulty ? 1 : 0, 1e3 * judged.error,
       1e3 * judged.frozen, validity_code(judged.overlay.validity), judged.overlay.pairs,
       1e3 * judged.overlay.residual, e.supported, e.gap, e.local, e.behind, e.before, e.lifted, 1e3 * e.pull,
-      1e3 * e.pull_sigma, e.contrast, e.motion, e.fresh, e.rows, judged.overlay.milliseconds);
+      1e3 * e.pull_sigma, e.contrast, e.motion, e.fresh, e.rows, judged.strength,
+      judged.overlay.milliseconds);
   return line;
 }
 

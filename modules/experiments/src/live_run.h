@@ -16,6 +16,7 @@ struct JudgedFrame {
   double frozen = 0.0;  ///< likewise, of a model that stays where it was registered
   bool faulty = false;
   OverlayFrame overlay;
+  double strength = 0.0;              ///< guidance::Tracker::evidence_strength()
   std::vector<double> lesion_errors;  ///< metres, one a verdict of the overlay
   /// Without evidence of its own the tracker would have shown it.
   bool shown_before() const;

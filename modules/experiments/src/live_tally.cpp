@@ -153,9 +153,8 @@ void LiveTally::add(const LiveFault& fault, const std::vector<JudgedFrame>& run)
   FaultTally& tally = tallies_[fault.name];
   tally.add(run);
   tally.add_return(run, fault.elsewhere_from);
-  const guidance::JudgeOptions limits;
   for (const JudgedFrame& judged : run) {
-    roc_.add(evidence_score(judged.overlay, limits), judged.error, !judged.faulty);
+    roc_.add(evidence_score(judged), judged.error, !judged.faulty);
     lesions_.add(judged, !judged.faulty);
   }
 }

@@ -18,6 +18,7 @@
 namespace glisson::guidance {
 namespace {
 
+constexpr double kLeast = 1e-6;          ///< below what is divided by
 constexpr double kPictureSeconds = 0.1;  ///< contrast changes slowly
 constexpr int kRefuted = 2;              ///< bad surfaces in a row, as many as raise a doubt
 /// Surfaces that may neither confirm nor refute a place before it counts as not found.
@@ -73,6 +74,7 @@ struct Judge::Impl {
     is_misplaced = false;
     motion = {};
     noise = {};
+    measured = {};
     parts = StandingParts(rig);
     left_signal = signal_at_start(first.left, options.least_signal);
     right_signal = signal_at_start(first.right, options.least_signal);
@@ -84,7 +86,8 @@ struct Judge::Impl {
     first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
-    poor.set(measured_contrast(first) < options.contrast);
+    measured.poor = options.contrast / std::max(measured_contrast(first), kLeast);
+    poor.set(measured.poor > 1.0);
     for (Alarm* alarm : {&stands, &views, &repeated, &not_alive, &copies, &part_stands}) alarm->set(false);
     evidence.judged = true;
   }
@@ -101,7 +104,7 @@ struct Judge::Impl {
   }
   /// 1 and more: stereo speaks against the overlay. The largest of what it may say.
   double apartness() const {
-    const double significant = evidence.pull / (options.pull_sigmas * std::max(evidence.pull_sigma, 1e-6));
+    const double significant = evidence.pull / (options.pull_sigmas * std::max(evidence.pull_sigma, kLeast));
     return std::max({evidence.gap / options.gap, evidence.local / options.local,
                      evidence.behind / options.behind, evidence.lifted / options.lifted,
                      std::min(evidence.pull / options.pull, significant)});
@@ -151,13 +154,15 @@ struct Judge::Impl {
     if (last_gaps.size() < kSurfacesInMean) return;
     double squares = 0.0;
     for (const double gap : last_gaps) squares += gap * gap;
-    is_misplaced = std::sqrt(squares / static_cast<double>(kSurfacesInMean)) >= options.mean_gap;
+    measured.misplaced = std::sqrt(squares / static_cast<double>(kSurfacesInMean)) / options.mean_gap;
+    is_misplaced = measured.misplaced >= 1.0;
   }
   void distrust() {
     if (pending.valid()) pending.wait();
     pending = {};
     apart.set(true);
     is_misplaced = false;
+    measured.misplaced = 0.0;
     last_gaps.clear();
     undecided = true;
     against = looks = 0;
@@ -165,37 +170,41 @@ struct Judge::Impl {
   }
   /// Each view against its own start: cameras and lamps differ.
   double measured_contrast(const StereoFrame& frame) const {
-    return std::min(measure(frame.left).signal() / std::max(left_signal, 1e-6),
-                    measure(frame.right).signal() / std::max(right_signal, 1e-6));
+    return std::min(measure(frame.left).signal() / std::max(left_signal, kLeast),
+                    measure(frame.right).signal() / std::max(right_signal, kLeast));
   }
   void look_at_pictures(const StereoFrame& frame) {
     if (!clock.is_due(looked_at_picture, kPictureSeconds)) return;
     looked_at_picture = clock.now();
     evidence.contrast = measured_contrast(frame);
-    poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
+    measured.poor = options.contrast / std::max(evidence.contrast, kLeast);
+    poor.push(measured.poor, 1.0, options.relief);
   }
   void look_at_motion(const StereoFrame& frame, const std::vector<FollowedPoint>& points) {
     motion.push(points, rig, frame.seconds);
     noise.push(frame, clock);
     parts.push(frame, points, clock);
-    part_stands.push(parts.any() ? 1.0 : 0.0, 1.0, options.relief, clock.passed());
+    measured.part_stands = parts.any() ? 1.0 : 0.0;
+    part_stands.push(measured.part_stands, 1.0, options.relief, clock.passed());
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
     const double across = std::abs(evidence.rows) / motion.rows_limit(options.rows);
-    views.push(std::max(across, std::abs(motion.depth_off()) / options.pull), 1.0, options.relief,
-               clock.passed());
+    measured.views = std::max(across, std::abs(motion.depth_off()) / options.pull);
+    views.push(measured.views, 1.0, options.relief, clock.passed());
+    measured.repeated = measured.not_alive = measured.copies = 0.0;
     if (left < 0.0 || right < 0.0) return look_at_copies();
     copies.set(false);
     evidence.motion = std::min(left, right);
     if (evidence.motion >= options.motion) noise.learn();
-    stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief, clock.passed());
+    measured.stands = options.motion / std::max(evidence.motion, kLeast);
+    stands.push(measured.stands, 1.0, options.relief, clock.passed());
     evidence.fresh = noise.fresh();
-    const double fresh = std::max(evidence.fresh, 1e-6);
-    repeated.push(std::max(options.repeated / fresh, noise.louder() / options.louder), 1.0, options.relief,
-                  clock.passed());
+    const double fresh = std::max(evidence.fresh, kLeast);
+    measured.repeated = std::max(options.repeated / fresh, noise.louder() / options.louder);
+    repeated.push(measured.repeated, 1.0, options.relief, clock.passed());
     // Without a time in which it moved, a picture that stood from the first could be a copy with noise.
-    const double unsure = noise.louder() > 0.0 ? options.fresh / fresh : 1.0;
-    not_alive.push(unsure, 1.0, options.relief, clock.passed());
+    measured.not_alive = noise.louder() > 0.0 ? options.fresh / fresh : 1.0;
+    not_alive.push(measured.not_alive, 1.0, options.relief, clock.passed());
   }
 
   /// Where too few points lie together to tell of motion, a picture that comes again tells by itself; and one
@@ -203,8 +212,9 @@ struct Judge::Impl {
   void look_at_copies() {
     if (!motion.is_whole() || noise.fresh() < 0.0) return;
     evidence.fresh = noise.fresh();
-    const double fresh = std::max(evidence.fresh, 1e-6);
-    copies.push(options.repeated / fresh, 1.0, options.relief, clock.passed());
+    const double fresh = std::max(evidence.fresh, kLeast);
+    measured.copies = options.repeated / fresh;
+    copies.push(measured.copies, 1.0, options.relief, clock.passed());
     const bool is_new = options.fresh < options.relief * fresh && noise.louder() < options.louder;
     stands.push(is_new ? 0.0 : 0.5 * (1.0 + options.relief), 1.0, options.relief, clock.passed());
   }
@@ -214,6 +224,12 @@ struct Judge::Impl {
     return (stands.stands() && repeated.stands()) || copies.stands() || part_stands.stands();
   }
   bool refutes() const { return apart.stands() || is_misplaced; }
+  /// As verdict() puts the reasons together, without waiting for any.
+  double strength() const {
+    const double still = std::min(measured.stands, std::max(measured.repeated, measured.not_alive));
+    return std::max({apartness(), measured.misplaced, coverage(), measured.poor, measured.views, still,
+                     measured.copies, measured.part_stands});
+  }
   Validity verdict() const {
     if (views.stands()) return Validity::views_apart;
     if (shows_old()) return Validity::picture_stands;
@@ -242,6 +258,12 @@ struct Judge::Impl {
   /// By seconds. A picture that stands is a copy, or may be one.
   Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2}, copies{0.0, 0.2},
       part_stands{0.0, 0.2};
+  /// What was pushed into alarms last, as a share of its limit; apartness() and coverage() besides.
+  struct Measured {
+    double misplaced = 0.0, poor = 0.0, views = 0.0, stands = 0.0, repeated = 0.0, not_alive = 0.0,
+           copies = 0.0, part_stands = 0.0;
+  };
+  Measured measured;
   bool is_misplaced = false;     ///< by the mean, which needs no more patience
   std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;
@@ -260,6 +282,7 @@ void Judge::distrust() { impl_->distrust(); }
 void Judge::keep_tissue_in(const Points& shape) { impl_->shape = shape; }
 const TissueMap& Judge::tissue() const { return impl_->tissue; }
 bool Judge::refutes() const { return impl_->refutes(); }
+double Judge::strength() const { return impl_->strength(); }
 bool Judge::is_undecided() const { return impl_->undecided; }
 
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points,

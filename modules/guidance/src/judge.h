@@ -41,6 +41,9 @@ class Judge {
   /// @return what to say of it.
   Validity judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points, OverlayFrame& overlay,
                  const Picture& not_liver = {});
+  /// Of all that the last verdict rests on the most that was measured against the overlay, as a share of its
+  /// limit: from 1 on one is reached, if not yet for as long as it takes to be said.
+  double strength() const;
 
  private:
   struct Impl;

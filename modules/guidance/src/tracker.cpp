@@ -472,6 +472,8 @@ OverlayFrame Tracker::follow(const StereoFrame& frame) {
   return timed(impl_->doubtful, [&] { return impl_->follow(frame); });
 }
 
+double Tracker::evidence_strength() const { return impl_->judge ? impl_->judge->strength() : 0.0; }
+
 OverlayFrame Tracker::correct(const Correction& correction) {
   return timed(impl_->doubtful, [&] { return impl_->correct(correction); });
 }

@@ -81,6 +81,9 @@ class Tracker {
   /// The next frame. Always returns; validity says whether it may be shown. Without begin(): not_started. A
   /// frame without a usable picture is too_few_points; the next good one is followed from the last good one.
   OverlayFrame follow(const StereoFrame& frame);
+  /// The most that Evidence on the last frame said against its overlay, as a share of its limit: from 1 on a
+  /// limit is reached, if not yet for long enough to be said. 0: nothing is judged.
+  double evidence_strength() const;
   /// Registration to a cloud instead of pictures (no correspondences in time are assumed), labels unused: by
   /// contact forces (registration/force_follower.h), or eq. 14 on the whole surface at its final stiffness,
   /// `steps` implicit steps with new pairs each. Repeated points and those at the lens are left out. A cloud
