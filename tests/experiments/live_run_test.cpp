@@ -96,6 +96,7 @@ class LiveRunTest : public QObject {
   void TargetsLieAsDeepAsIsSaid();
   void TheTissueMoves();
   void WhatMovesIsFollowedAndWhatIsBlackIsNot();
+  void APartThatIsLiftedIsOneThatCounts();
   void WhatTheStageCannotShowIsNotRun();
   void WrongOptionsAreRefused();
   void CancelGivesNothing();
@@ -169,6 +170,15 @@ void LiveRunTest::WhatMovesIsFollowedAndWhatIsBlackIsNot() {
   QVERIFY(!black.back().is_valid() && black.back().faulty && !black.back().shown_before());
   const std::string line = frame_line("tissue", "black", black.back());
   QCOMPARE(std::ranges::count(line, ','), std::ranges::count(std::string(kFrameHeads), ','));
+}
+
+/// It is where a target is, and in sight.
+void LiveRunTest::APartThatIsLiftedIsOneThatCounts() {
+  const auto faults = live_faults(stage_.rig, kOnset, kFrames - 1, 1);
+  const auto run = run_live(stage_, fault_named(faults, "start_lifted_30mm"), kOnset);
+  QVERIFY2(run.front().frozen > 25e-3, qPrintable(QString::number(1e3 * run.front().frozen)));
+  for (const JudgedFrame& judged : run)
+    if (judged.error > 10e-3) QVERIFY2(!judged.is_valid(), qPrintable(QString::number(judged.frame)));
 }
 
 void LiveRunTest::WhatTheStageCannotShowIsNotRun() {

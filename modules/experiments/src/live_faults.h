@@ -21,7 +21,8 @@ struct LiveFault {
   /// shift. Camera's frame, metres.
   Eigen::Matrix3d start_turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d start_shift = Eigen::Vector3d::Zero();
-  /// Metres by which a part of the organ lies nearer to the lens than the start has it.
+  /// Metres by which the part of the organ about a target that is seen lies nearer to the lens than the start
+  /// has it.
   double start_lift = 0.0;
   /// Metres a frame by which what the program takes for registered creeps away.
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();

@@ -17,13 +17,20 @@ namespace {
 constexpr double kStartSigma = 1.5e-3;
 constexpr int kDriftEvery = 6;  ///< frames
 
-/// A part of the organ, to one side, lies nearer to the lens than the start has it.
-Points bent_away(Points nodes, double by) {
-  constexpr double kFrom = 10e-3, kOver = 50e-3;  // steeper, and elements of the model turn inside out
-  const double middle = nodes.col(0).mean();
+/// The target that lies nearest to the middle of the first picture.
+Eigen::Vector3d middle_target(const LiveStage& stage) {
+  const Points& targets = stage.standing.targets.front();
+  Eigen::Index nearest = 0;
+  (targets.leftCols<2>().rowwise().norm().array() / targets.col(2).array()).minCoeff(&nearest);
+  return targets.row(nearest).transpose();
+}
+
+/// The part of the organ about a target lies nearer to the lens than the start has it.
+Points bent_away(Points nodes, const Eigen::Vector3d& target, double by) {
+  constexpr double kWide = 22e-3;  // less, and elements of the model turn inside out
   for (Eigen::Index i = 0; i < nodes.rows(); ++i) {
-    const double t = std::clamp((nodes(i, 0) - middle - kFrom) / kOver, 0.0, 1.0);
-    nodes(i, 2) += by * t * t * (3.0 - 2.0 * t);
+    const double away = (nodes.row(i).transpose() - target).head<2>().squaredNorm();
+    nodes(i, 2) += by * std::exp(-away / (2.0 * kWide * kWide));
   }
   return nodes;
 }
@@ -33,7 +40,8 @@ Registration start_of(const LiveStage& stage, const LiveFault& fault) {
   const Eigen::RowVector3d middle = stage.start.colwise().mean();
   start.nodes_in_camera = ((stage.start.rowwise() - middle) * fault.start_turn.transpose()).rowwise() +
                           (middle + fault.start_shift.transpose());
-  if (fault.start_lift != 0.0) start.nodes_in_camera = bent_away(start.nodes_in_camera, fault.start_lift);
+  if (fault.start_lift != 0.0)
+    start.nodes_in_camera = bent_away(start.nodes_in_camera, middle_target(stage), fault.start_lift);
   for (const Label lesion : stage.lesions) {
     LesionSpread spread;
     spread.lesion = lesion;
