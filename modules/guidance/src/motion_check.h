@@ -19,11 +19,6 @@ class MotionCheck {
  public:
   /// The points of the next frame. @param seconds its time.
   void push(const std::vector<FollowedPoint>& points, const StereoRig& rig, double seconds);
-  /// Forgets what it has seen, but not the calibration's own offset of rows.
-  void clear() {
-    frames_.clear();
-    motion_ = {-1.0, -1.0};
-  }
 
   /// How much groups of neighbouring points move together over the last 0.4 s, squared, as a multiple of what
   /// their noise alone makes (1: nothing moves), in either view: the F ratio of an analysis of variance by
