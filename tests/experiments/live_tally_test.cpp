@@ -66,6 +66,7 @@ class LiveTallyTest : public QObject {
   void ThePageHoldsRocAndTheModelThatStays();
   void WhatDidNotHappenMeetsNoAim();
   void EveryFaultIsNamedOnceAndShowsItself();
+  void WhatComesIntoEveryOperationIsNoFault();
   void AFaultThatNoStageCouldShowIsTold();
   void ThePageSaysOnWhomLimitsWereSet();
 };
@@ -226,6 +227,14 @@ void LiveTallyTest::EveryFaultIsNamedOnceAndShowsItself() {
   for (const char* name : {"duplicated", "right_lost", "another_patient", "drift", "lifted_30mm",
                            "start_lifted_30mm", "start_across_40deg", "right_5_late_15fps"})
     QVERIFY2(names.contains(name), name);
+}
+
+void LiveTallyTest::WhatComesIntoEveryOperationIsNoFault() {
+  std::set<std::string> sound;
+  for (const LiveFault& fault : live_faults(small_rig(), 10, 29, 1))
+    if (fault.is_sound) sound.insert(fault.name);
+  QCOMPARE(sound, (std::set<std::string>{"none", "scope_moves", "scope_moves_15fps", "tool", "blood_ramp",
+                                         "drops", "flicker", "lossy", "stutter"}));
 }
 
 void LiveTallyTest::AFaultThatNoStageCouldShowIsTold() {

@@ -245,10 +245,13 @@ class Tool {
   double disparity_, width_, reach_;
 };
 
-/// What comes into every operation, and is no reason for a wrong overlay.
+/// What comes into every operation, and is no fault: an overlay that is right is to stay.
 void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, int last,
                std::uint64_t seed) {
-  const auto add = [&](const char* name, const Show& show) { faults.push_back(shown(name, show)); };
+  const auto add = [&](const char* name, const Show& show) {
+    faults.push_back(shown(name, show));
+    faults.back().is_sound = true;
+  };
   const Tool tool(rig);
   add("tool", ramp(onset, onset + 20, [tool](cv::Mat& picture, bool is_right, double share, int k) {
         tool.show(picture, is_right, share, k);
@@ -275,9 +278,6 @@ void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, 
   add("flicker", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int k) {
         picture = (k % 2 == 0 ? 0.75 : 1.2) * picture;
       }));
-  add("noise", ramp(onset, onset + 1, [seed](cv::Mat& picture, bool is_right, double, int k) {
-        add_noise(picture, 12.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
-      }));
   const auto reader = std::make_shared<stereo::PictureReader>();
   add("lossy", ramp(onset, onset + 1, [reader](cv::Mat& picture, bool, double, int) {
         const std::string bytes = stereo::jpeg_of(picture_of(picture), 12);
@@ -287,6 +287,14 @@ void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, 
     const int shown = k < onset ? k : k - (k - onset) % 4;
     return shown_at(film[static_cast<std::size_t>(shown)], film[static_cast<std::size_t>(k)]);
   });
+}
+
+/// Pictures that show little, always or now and then.
+void add_poor(std::vector<LiveFault>& faults, int onset, std::uint64_t seed) {
+  const auto add = [&](const char* name, const Show& show) { faults.push_back(shown(name, show)); };
+  add("noise", ramp(onset, onset + 1, [seed](cv::Mat& picture, bool is_right, double, int k) {
+        add_noise(picture, 12.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
+      }));
   add("blinks", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int k) {
         if (k % 15 < 3) picture.setTo(cv::Scalar::all(3));
       }));
@@ -379,6 +387,7 @@ std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, st
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);
   add_scene(faults, rig, onset, last, seed);
+  add_poor(faults, onset, seed);
   add_foreign(faults);
   add_slow(faults);
   faults.push_back(jump("scope_jumps", onset, 0));

@@ -33,7 +33,7 @@ struct LiveFault {
   /// The film is another one: of a laparoscope in a hand, of an organ that is lifted, of another patient.
   bool scope_moves = false, is_lifted = false, other_patient = false;
   bool is_mirrored = false;  ///< what is shown is the organ's mirror image: any overlay on it is wrong
-  bool is_sound = false;     ///< not a fault
+  bool is_sound = false;     ///< not a fault: a right overlay is to stay
   int every = 1;             ///< only each second (third ...) frame arrives
   /// From this frame on the laparoscope is in a hand, elsewhere: the film is the other one. -1: never.
   int elsewhere_from = -1;

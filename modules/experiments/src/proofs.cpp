@@ -122,7 +122,8 @@ constexpr Proof kProofs[] = {
     {"live", QT_TRANSLATE_NOOP("cli", "What the live overlay says of itself when something is wrong"),
      "Wrong starts, and faults put into the frames of the theatre (in silico), and into real pairs of "
      "liver tissue (for development) and of a silicone heart (for validation) that are set in motion in a "
-     "known way: real texture and lens, simulated motion.",
+     "known way: real texture and lens, simulated motion. A tool, blood, drops, a lamp that flickers, a "
+     "lossy or stuttering video and a scope in a hand are no faults: a right overlay is to stay.",
      whom_live, live_aims, "real-only", run_live},
     {"pulled", QT_TRANSLATE_NOOP("cli", "Bare organs that are pulled at a few places"),
      "Neo-Hookean organs (in silico) that are held somewhere and pulled or pressed at one to three places, "
