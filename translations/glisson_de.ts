@@ -10496,6 +10496,14 @@
         <source>The organ as it was registered, in the colours of the error that is expected at each place, with each lesion&apos;s region.</source>
         <translation>Das Organ, wie es registriert wurde, in den Farben des Fehlers, der an jedem Ort erwartet wird, mit dem Bereich jeder Läsion.</translation>
     </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Picture and organ. While a video is followed the organ goes with the picture.</source>
+        <translation>Bild und Organ. Während ein Video verfolgt wird, geht das Organ mit dem Bild.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ImageImport</name>
@@ -11596,6 +11604,10 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>No overlay: where the organ is in this picture is not known.</source>
+        <translation>Keine Einblendung: Wo das Organ in diesem Bild ist, ist nicht bekannt.</translation>
     </message>
 </context>
 <context>

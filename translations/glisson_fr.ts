@@ -10496,6 +10496,14 @@
         <source>The organ as it was registered, in the colours of the error that is expected at each place, with each lesion&apos;s region.</source>
         <translation>L’organe tel qu’il a été recalé, dans les couleurs de l’erreur attendue à chaque endroit, avec la région de chaque lésion.</translation>
     </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Picture and organ. While a video is followed the organ goes with the picture.</source>
+        <translation>Image et organe. Pendant le suivi d’une vidéo, l’organe accompagne l’image.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ImageImport</name>
@@ -11596,6 +11604,10 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>No overlay: where the organ is in this picture is not known.</source>
+        <translation>Pas de superposition : on ne sait pas où est l’organe dans cette image.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
+#include <cmath>
 
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
@@ -23,6 +24,7 @@
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/guidance/lesion_judge.h"
 #include "guidance_window.h"
 
 namespace glisson {
@@ -38,6 +40,8 @@ class GuidancePanelTest : public QObject, protected GuidanceWindow {
   void AHandPlacesTheOrganOverThePicture();
   void AHandLetsGoWithItsCase();
   void TheOrganIsShownInThreeDimensions();
+  void BesideThePictureTheOrganGoesWithIt();
+  void ThatBothWereShownIsRemembered();
   void WhatIsOutOfDateOrRefusedShowsNoRegions();
   void ErrorGoesWithItsCause();
   void ObstaclesNameTheStepThatHelps();
@@ -164,6 +168,64 @@ void GuidancePanelTest::TheOrganIsShownInThreeDimensions() {
   // Whoever places by hand needs the picture.
   panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"))->click();
   QTRY_VERIFY(!organ->isVisible() && live_view().isVisible());
+}
+
+void GuidancePanelTest::BesideThePictureTheOrganGoesWithIt() {
+  reach_registration(300);
+  panel().view()->findChild<QPushButton*>(QStringLiteral("show_both"))->click();
+  auto* organ = panel().view()->findChild<ui::OrganView*>();
+  QTRY_VERIFY(organ->width() > 200 && live_view().width() > 200 && organ->height() > 150);
+  QVERIFY(organ->isVisible() && live_view().isVisible());
+  auto* view = organ->findChild<ui::RenderView*>();
+  const auto actors = [view] { return view->patient().renderer().GetActors()->GetNumberOfItems(); };
+  const auto height = [view] {
+    double bounds[6];
+    view->patient().renderer().ComputeVisiblePropBounds(bounds);
+    return 0.5 * (bounds[2] + bounds[3]);
+  };
+  // What is chosen in the one is chosen in the other.
+  const engine::CaseState& now = window_->engine().state();
+  const auto lesions =
+      guidance::LesionJudge(now[part::model]->model, *now[part::registration]).at_start(Validity::valid);
+  const auto place = view->patient().view_point(lesions.front().centre, view->aspect());
+  QVERIFY(place);
+  const int unchosen = actors();
+  QTest::mouseClick(
+      view, Qt::LeftButton, Qt::NoModifier,
+      {static_cast<int>(place->x() * view->width()), static_cast<int>(place->y() * view->height())});
+  QTRY_COMPARE(panel().live().chosen.value(), lesions.front().lesion);
+  QCOMPARE(actors(), unchosen + 1);
+  QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, {2, 2});
+  QTRY_COMPARE(panel().live().chosen.value(), Label{0});
+
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")) && actors() < unchosen,
+                           20000);  // no points
+  const double before = height();
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(height() - before) > 2e-3, 20000);
+  operation_->live_validity = Validity::picture_stands;
+  QTRY_COMPARE_WITH_TIMEOUT(actors(), 0, 20000);
+  QVERIFY(words_on(*organ).contains(QStringLiteral("No overlay: where the organ is")));
+  operation_->live_validity = Validity::valid;
+  QTRY_VERIFY_WITH_TIMEOUT(actors() > 0, 20000);
+}
+
+void GuidancePanelTest::ThatBothWereShownIsRemembered() {
+  const auto is_organ_shown = [this] {
+    window_->show_step(ui::MainWindow::guidance);
+    return panel().view()->findChild<ui::OrganView*>()->isVisible();
+  };
+  const auto begin_anew = [this](const char* button) {
+    panel().view()->findChild<QPushButton*>(QLatin1String(button))->click();
+    close_window();
+    open_window();
+  };
+  begin_anew("show_both");
+  QVERIFY(is_organ_shown() && live_view().isVisible());
+  begin_anew("show_organ");
+  QVERIFY(is_organ_shown() && live_view().isVisible());
+  begin_anew("show_picture");
+  QVERIFY(!is_organ_shown() && live_view().isVisible());
 }
 
 void GuidancePanelTest::WhatIsOutOfDateOrRefusedShowsNoRegions() {

@@ -37,7 +37,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       openigtlink_(engine, drawables),
       tool_(engine, drawables, playback_, review_, live_),
       view_(new GuidanceView(new LiveView(live_, review_, correction_, again_, moments_),
-                             new OrganView(engine, drawables, registration_))) {
+                             new OrganView(engine, drawables, registration_, live_))) {
   setObjectName(QStringLiteral("guidance_panel"));
   add_section(tr("1. Initial registration"),
               tr("Rigid start from the labelled features; then the shape that simulated operations on "

@@ -370,6 +370,11 @@ void LiveViewModel::let_go() {
   redraw();
 }
 
+const OverlayFrame* LiveViewModel::followed() const {
+  const bool is_of_video = playback_.is_tracking || review_.is_reviewing || shows_last_picture();
+  return is_of_video && !kept_ && on_screen_.made_from ? &shown_ : nullptr;
+}
+
 void LiveViewModel::show_failed(const QString& message, int generation) {
   if (generation != generation_) return;
   if (kept_) {  // what was on the screen before is old by now

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/model.h"
@@ -15,6 +16,8 @@
 
 namespace glisson::ui {
 namespace {
+
+constexpr int kPace = 300;  ///< milliseconds: how old the organ is at the most, beside a live picture
 
 /// What the colours stand for.
 class ErrorScale : public QWidget {
@@ -56,19 +59,21 @@ class ErrorScale : public QWidget {
 }  // namespace
 
 OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, RegistrationModel& model,
-                     QWidget* parent)
+                     LiveViewModel& live, QWidget* parent)
     : QWidget(parent),
       engine_(engine),
       drawables_(drawables),
       model_(model),
+      live_(live),
       view_(new RenderView(this)),
       scale_(new QWidget(this)),
+      legend_(new QWidget(scale_)),
       actors_(std::make_unique<scene::RegistrationActors>(view_->patient().renderer())) {
   setObjectName(QStringLiteral("organ_view"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  view_->set_hint(tr("Register the model: the organ appears here, as it was found."));
+  view_->set_hint(nothing_words());
   layout->addWidget(view_, 1);
   scale_->setProperty("role", "probe");
   auto* row = new QHBoxLayout(scale_);
@@ -77,24 +82,35 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
   words->setObjectName(QStringLiteral("organ_words"));
   words->setWordWrap(true);
   row->addWidget(words, 1);
+  QSizePolicy kept = legend_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);  // the organ keeps its place
+  legend_->setSizePolicy(kept);
+  row->addWidget(legend_);
+  layout->addWidget(scale_);
+  connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
+  connect(&drawables_, &DrawableSource::changed, this, &OrganView::refresh);
+  pace_.setSingleShot(true);
+  pace_.setInterval(kPace);
+  connect(&pace_, &QTimer::timeout, this, &OrganView::refresh);
+  connect(&live_, &LiveViewModel::picture_changed, this, [this] {
+    if (isVisible() && !pace_.isActive()) pace_.start();
+  });
+  connect(view_, &RenderView::clicked, this, &OrganView::choose_at);
+  couplings_.add(live_.chosen, [this](Label) { refresh(); });
+  join_model(*words);
+}
+
+void OrganView::join_model(QLabel& words) {
   auto* colours = new QComboBox(scale_);
   colours->setObjectName(QStringLiteral("organ_colours"));
   colours->setToolTip(
       tr("Expected error of each place; or of a lesion, once the surface around a place has been "
          "seen as well. The ball marks the best place."));
-  auto* legend = new QWidget(scale_);
-  auto* column = new QVBoxLayout(legend);
+  auto* column = new QVBoxLayout(legend_);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(colours);
-  auto* scale = new ErrorScale(legend);
+  auto* scale = new ErrorScale(legend_);
   column->addWidget(scale);
-  QSizePolicy kept = legend->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);  // the organ keeps its place
-  legend->setSizePolicy(kept);
-  row->addWidget(legend);
-  layout->addWidget(scale_);
-  connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
-  connect(&drawables_, &DrawableSource::changed, this, &OrganView::refresh);
   couplings_.add(model_.shown_rival, [this](int) { refresh(); });
   connect(colours, &QComboBox::activated, this, [this](int index) { model_.shown_look = index - 1; });
   couplings_.add(model_.looked_for, [colours](const QStringList& lesions) {
@@ -111,19 +127,36 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
                                                                    : scene::ErrorRange());
     refresh();
   });
-  couplings_.add(model_.holds, [this, legend, words](bool holds) {
-    legend->setVisible(holds);  // nothing has these colours then
-    set_style_property(words, "role", holds ? QVariant() : QVariant(QStringLiteral("warning")));
+  couplings_.add(model_.holds, [this, told = &words](bool holds) {
+    legend_->setVisible(holds);  // nothing has these colours then
+    set_style_property(told, "role", holds ? QVariant() : QVariant(QStringLiteral("warning")));
     refresh();
   });
-  couplings_.add(model_.error_words, [words](const QString& text) { words->setText(text); });
+  couplings_.add(model_.error_words, [told = &words](const QString& text) { told->setText(text); });
 }
 
 OrganView::~OrganView() = default;
 
+QString OrganView::nothing_words() {
+  return tr("Register the model: the organ appears here, as it was found.");
+}
+
 void OrganView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
+}
+
+void OrganView::put_away(const QString& hint) {
+  view_->set_hint(hint);
+  legend_->setVisible(false);
+  actors_->clear();
+  lesions_.clear();
+  scene::PatientScene& patient = view_->patient();
+  patient.set_highlight({});
+  patient.set_model(nullptr);
+  patient.set_cloud({});
+  drawn_ = nullptr;
+  view_->update();
 }
 
 void OrganView::refresh() {
@@ -134,29 +167,62 @@ void OrganView::refresh() {
   const bool is_there = registration && drawable && now[part::model] &&
                         registration->nodes_in_camera.rows() == drawable->model->mesh.vertex_count();
   scale_->setVisible(is_there);
-  view_->set_hint(is_there ? QString() : tr("Register the model: the organ appears here, as it was found."));
-  scene::PatientScene& patient = view_->patient();
-  if (!is_there) {
-    actors_->clear();
-    patient.set_model(nullptr);
-    patient.set_cloud({});
-    drawn_ = nullptr;
-    view_->update();
-    return;
-  }
+  if (!is_there) return put_away(nothing_words());
+  const OverlayFrame* followed = live_.followed();
+  if (followed && followed->level() == Level::withdrawn)
+    return put_away(tr("No overlay: where the organ is in this picture is not known."));
+  if (followed && followed->nodes_in_camera.rows() != drawable->model->mesh.vertex_count())
+    followed = nullptr;
+  view_->set_hint(QString());
   if (drawn_ != drawable) {
-    patient.set_model(drawable);
-    patient.set_visible(structure::kParenchyma, false);  // drawn by the actors, in the error's colours
+    view_->patient().set_model(drawable);
+    view_->patient().set_visible(structure::kParenchyma,
+                                 false);  // drawn by the actors, in the error's colours
     drawn_ = drawable;
   }
-  patient.set_nodes(registration->nodes_in_camera);
-  patient.set_cloud(now[part::cloud] ? *now[part::cloud] : LabelledCloud());
-  const guidance::LesionJudge judge(*drawable->model, *registration);
-  actors_->show(*drawable, *registration, judge.at_start(Validity::valid),
-                {model_.shown_rival, model_.shown_look, model_.holds});
-  if (looked_at_ != registration) patient.look_from(scene::ViewFrom::camera);
+  draw(followed);
+  if (looked_at_ != registration) view_->patient().look_from(scene::ViewFrom::camera);
   looked_at_ = registration;
   view_->update();
+}
+
+void OrganView::draw(const OverlayFrame* followed) {
+  const engine::CaseState& now = engine_.state();
+  scene::PatientScene& patient = view_->patient();
+  Registration shown = *now[part::registration];
+  const bool holds = model_.holds && (!followed || followed->level() == Level::valid);
+  if (followed) shown.nodes_in_camera = followed->nodes_in_camera;
+  patient.set_nodes(shown.nodes_in_camera);
+  // Points and the place that is compared are of the moment of the registration.
+  patient.set_cloud(now[part::cloud] && !followed ? *now[part::cloud] : LabelledCloud());
+  lesions_ =
+      followed ? followed->lesions : guidance::LesionJudge(*drawn_->model, shown).at_start(Validity::valid);
+  for (const LesionVerdict& lesion : lesions_)
+    patient.set_visible(lesion.lesion, !followed || lesion.level == Level::valid);
+  std::erase_if(lesions_,
+                [&](const LesionVerdict& one) { return followed && one.level == Level::withdrawn; });
+  actors_->show(*drawn_, shown, lesions_, {followed ? -1 : model_.shown_rival, model_.shown_look, holds});
+  legend_->setVisible(holds);
+  const auto chosen =
+      std::ranges::find(drawn_->surfaces, live_.chosen.value(), &scene::DrawableSurface::structure);
+  const bool is_drawn = live_.chosen != 0 && chosen != drawn_->surfaces.end() &&
+                        patient.is_visible(live_.chosen) && chosen->binding.weights.rows() > 0;
+  patient.set_highlight(is_drawn
+                            ? TriangleMesh{chosen->binding.apply(drawn_->model->mesh, shown.nodes_in_camera),
+                                           chosen->mesh.triangles}
+                            : TriangleMesh());
+}
+
+void OrganView::choose_at(double x, double y) {
+  constexpr double kBeside = 4e-3;  // metres: small lesions are hit, too
+  Label chosen = 0;
+  double nearest = kBeside;
+  for (const LesionVerdict& lesion : lesions_) {
+    const Eigen::Vector3d p = view_->patient().point_beside(lesion.centre, x, y, view_->aspect());
+    const double beside = (p - lesion.centre).norm() - lesion.radius;
+    if (beside < nearest) nearest = beside, chosen = lesion.lesion;
+  }
+  live_.choose(chosen);
 }
 
 }  // namespace glisson::ui

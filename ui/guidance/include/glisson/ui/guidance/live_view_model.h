@@ -82,6 +82,9 @@ class LiveViewModel : public QObject {
   const ScreenTimes& screen_times() const { return screen_times_; }
   /// Writes it (.png, .jpg). @return what went wrong; empty: nothing.
   static QString save_picture(const Picture& held, const QString& path);
+  /// Of the picture on the screen, where it is one of a video that is or was followed: live, a former or the
+  /// last frame. Null: the registered frame, a kept moment or no picture is there. Until the next picture.
+  const OverlayFrame* followed() const;
   /// Of the frame on the screen.
   int shown_index() const { return shown_.index; }
   /// The picture on the screen is of now; else it says itself that it is not.
