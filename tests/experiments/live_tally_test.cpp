@@ -214,7 +214,8 @@ void LiveTallyTest::EveryFaultIsNamedOnceAndShowsItself() {
   std::set<std::string> names;
   for (const LiveFault& fault : live_faults(small_rig(), kOnset, kFrames - 1, 1)) {
     QVERIFY2(names.insert(fault.name).second, fault.name.c_str());
-    const bool shows_another_film = fault.scope_moves || fault.is_lifted || fault.other_patient;
+    const bool shows_another_film =
+        fault.scope_moves || fault.is_lifted || fault.is_cut || fault.other_patient;
     const bool starts_elsewhere = !fault.start_turn.isIdentity() || !fault.start_shift.isZero() ||
                                   fault.start_lift != 0.0 || !fault.drift.isZero() || fault.calibration;
     QVERIFY2(fault.show || shows_another_film || starts_elsewhere || fault.name == "none",
@@ -247,11 +248,11 @@ void LiveTallyTest::AFaultThatNoStageCouldShowIsTold() {
       (void)untried.can_try(stage, fault);
     return untried.names();
   };
-  QCOMPARE(try_all(), (std::vector<std::string>{"another_patient", "lifted_30mm"}));
+  QCOMPARE(try_all(), (std::vector<std::string>{"another_patient", "lifted_30mm", "cut_gapes_15mm"}));
   stage.other = stage.standing;  // of the next stage
-  QCOMPARE(try_all(), std::vector<std::string>{"lifted_30mm"});
+  QCOMPARE(try_all(), (std::vector<std::string>{"lifted_30mm", "cut_gapes_15mm"}));
   stage.other = {};
-  stage.lifted = stage.standing;
+  stage.lifted = stage.cut = stage.standing;
   QVERIFY(try_all().empty());
 }
 

@@ -341,6 +341,10 @@ void add_slow(std::vector<LiveFault>& faults) {
   lifted.name = "lifted_30mm";
   lifted.is_lifted = true;
   faults.push_back(lifted);
+  LiveFault cut;
+  cut.name = "cut_gapes_15mm";
+  cut.is_cut = true;
+  faults.push_back(cut);
   LiveFault drifting;
   drifting.name = "drift";
   drifting.drift = {0.1e-3, 0.0, 0.0};

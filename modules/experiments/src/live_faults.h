@@ -30,8 +30,9 @@ struct LiveFault {
   std::function<StereoFrame(const Film& film, int k)> show;
   /// The calibration that the program is given instead of the true one; empty: the true one.
   std::function<StereoRig(const StereoRig&)> calibration;
-  /// The film is another one: of a laparoscope in a hand, of an organ that is lifted, of another patient.
-  bool scope_moves = false, is_lifted = false, other_patient = false;
+  /// The film is another one: of a laparoscope in a hand, of an organ that is lifted or cut, of another
+  /// patient.
+  bool scope_moves = false, is_lifted = false, is_cut = false, other_patient = false;
   bool is_mirrored = false;  ///< what is shown is the organ's mirror image: any overlay on it is wrong
   bool is_sound = false;     ///< not a fault: a right overlay is to stay
   int every = 1;             ///< only each second (third ...) frame arrives

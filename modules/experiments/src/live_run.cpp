@@ -80,6 +80,7 @@ class Shown {
   const Filmed& filmed(int k) const {
     if (fault_.other_patient) return stage_.other;
     if (fault_.is_lifted) return stage_.lifted;
+    if (fault_.is_cut) return stage_.cut;
     const bool held = fault_.scope_moves || (fault_.elsewhere_from >= 0 && k >= fault_.elsewhere_from);
     return held ? stage_.held : stage_.standing;
   }
@@ -119,7 +120,7 @@ bool JudgedFrame::shown_before() const {
 
 bool can_run(const LiveStage& stage, const LiveFault& fault) {
   return (!fault.other_patient || stage.other.film.size() >= stage.standing.film.size()) &&
-         (!fault.is_lifted || !stage.lifted.film.empty());
+         (!fault.is_lifted || !stage.lifted.film.empty()) && (!fault.is_cut || !stage.cut.film.empty());
 }
 
 std::vector<JudgedFrame> run_live(const LiveStage& stage, const LiveFault& fault, int onset) {
@@ -136,7 +137,8 @@ std::vector<JudgedFrame> run_live(const LiveStage& stage, const LiveFault& fault
     judged.frame = k;
     judged.overlay = tracker.follow(shown.frame(k));
     judged.strength = tracker.evidence_strength();
-    judged.faulty = !fault.is_sound && (k >= onset || fault.is_mirrored || !(fault.show || fault.is_lifted));
+    judged.faulty = !fault.is_sound &&
+                    (k >= onset || fault.is_mirrored || !(fault.show || fault.is_lifted || fault.is_cut));
     judged.error = shown.error(targets.apply(stage.model.mesh, judged.overlay.nodes_in_camera), k);
     judged.frozen = shown.error(frozen, k);
     for (const LesionVerdict& verdict : judged.overlay.lesions)

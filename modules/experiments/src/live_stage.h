@@ -22,6 +22,7 @@ struct LiveStage {
   StereoRig rig;
   Filmed standing, held;
   Filmed lifted;  ///< a part of the organ is lifted by 30 mm in the second second; empty: not filmed
+  Filmed cut;     ///< a cut gapes by 15 mm in the second second; empty: not filmed
   Filmed other;   ///< another patient's, by the same laparoscope; empty: none
   Points start;   ///< the model's nodes where they truly are in the first frame
   Points targets_in_model;     ///< the lesions' centres, in the model's frame

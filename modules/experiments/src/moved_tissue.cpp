@@ -20,12 +20,13 @@ namespace {
 
 constexpr double kFrameRate = 30.0;
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr std::uint64_t kLiftedNoise = 1000000;  ///< its seeds are no other film's
+/// Of the films' noise: no seed is another film's.
+constexpr std::uint64_t kLiftedNoise = 1000000, kCutNoise = 2000000;
 
 /// The tissue as it moves before a laparoscope that stands.
 struct Handled {
   Eigen::Vector3d pressed_at;
-  bool is_lifted = false;
+  bool is_lifted = false, is_cut = false;
 };
 
 /// How far from the middle of what is seen tissue is lifted by a tool, seconds after the first frame.
@@ -36,17 +37,26 @@ double lift(const Eigen::Vector3d& p, const Eigen::Vector3d& middle, double seco
   return kLift * t * t * (3.0 - 2.0 * t) * std::exp(-away / (2.0 * kWide * kWide));
 }
 
+/// How far what lies to the right of a cut has gone aside, seconds after the first frame: the cut gapes from
+/// one vertex of the sheet to the next, between them its rims are drawn out.
+Eigen::Vector3d gape(const Eigen::Vector3d& p, const Eigen::Vector3d& middle, double seconds) {
+  constexpr double kAside = 8e-3;
+  const double t = std::clamp(seconds - 1.0, 0.0, 1.0);
+  if (p.x() / p.z() < (middle.x() + kAside) / middle.z()) return Eigen::Vector3d::Zero();
+  return t * t * (3.0 - 2.0 * t) * Eigen::Vector3d(15e-3, 0.0, 4e-3);
+}
+
 /// Where the tissue of the first frame is `seconds` later.
 Eigen::Vector3d deformed(const Eigen::Vector3d& p, const Handled& handled, double seconds) {
   constexpr double kWide = 18e-3;
   const Eigen::Vector3d& pressed_at = handled.pressed_at;
-  if (handled.is_lifted)
-    return p + Eigen::Vector3d(0.0, 0.0, -lift(p, pressed_at, seconds)) +
-           (0.5 - 0.5 * std::cos(kTurn * seconds / 4.0)) * Eigen::Vector3d(0.0, 5e-3, 2e-3);
-  const double breath = 0.5 - 0.5 * std::cos(kTurn * seconds / 4.0);
+  const Eigen::Vector3d breathed =
+      p + (0.5 - 0.5 * std::cos(kTurn * seconds / 4.0)) * Eigen::Vector3d(0.0, 5e-3, 2e-3);
+  if (handled.is_lifted) return breathed - Eigen::Vector3d(0.0, 0.0, lift(p, pressed_at, seconds));
+  if (handled.is_cut) return breathed + gape(p, pressed_at, seconds);
   const double press = 0.5 - 0.5 * std::cos(kTurn * seconds / 2.7);
   const double near = std::exp(-(p - pressed_at).squaredNorm() / (2.0 * kWide * kWide));
-  return p + breath * Eigen::Vector3d(0.0, 5e-3, 2e-3) + press * near * Eigen::Vector3d(0.0, 0.0, 4e-3);
+  return breathed + press * near * Eigen::Vector3d(0.0, 0.0, 4e-3);
 }
 
 /// What a hand does: turns about a trocar 80 mm behind the lens, rolls, slides in and out.
@@ -301,17 +311,18 @@ Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, std::uint64_
   to_right.linear() = pair.rig.right_from_left.rotation;
   to_right.translation() = pair.rig.right_from_left.translation;
   for (int k = 0; k < frames; ++k)
-    for (Filmed* filmed : {&stage.standing, &stage.held, &stage.lifted}) {
+    for (Filmed* filmed : {&stage.standing, &stage.held, &stage.lifted, &stage.cut}) {
       if (context.cancelled()) return std::nullopt;
       context.progress(0.1 + 0.9 * k / frames, "prove.theatre");
       const double seconds = k / kFrameRate;
-      const Handled handled{pressed_at, filmed == &stage.lifted};
+      const Handled handled{pressed_at, filmed == &stage.lifted, filmed == &stage.cut};
       const Eigen::Isometry3d scope =
           filmed == &stage.held ? hand(seconds) : Eigen::Isometry3d(Eigen::Isometry3d::Identity());
       caster.move_organ(moved(rest.vertices, handled, seconds, scope));
       const std::uint64_t noise = seed + 4 * static_cast<std::uint64_t>(k) +
                                   (filmed == &stage.held ? 2
                                    : handled.is_lifted   ? kLiftedNoise
+                                   : handled.is_cut      ? kCutNoise
                                                          : 0);
       StereoFrame frame;
       frame.left = left.draw(caster, Eigen::Isometry3d::Identity(), noise);

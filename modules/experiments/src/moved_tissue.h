@@ -15,7 +15,7 @@ namespace glisson::experiments {
 /// a patient, and nothing comes in front. The model is a slab of 24 mm below that surface, its targets lie 5
 /// to 20 mm deep. Before the laparoscope that stands the tissue breathes by 5 mm and is pressed in by 4; the
 /// one in a hand turns by up to 10 degrees a second besides; in the third film a place of the tissue is
-/// lifted by 30 mm in the second second.
+/// lifted by 30 mm in the second second, in the fourth a cut through it gapes by 15 mm then.
 /// @param seed of the noise that each frame has of its own (two grey levels). Empty: cancelled.
 /// @throws InputError the pair shows no surface.
 Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, std::uint64_t seed,
