@@ -9771,8 +9771,8 @@
         <translation>Die rohen Ansichten, die mit der Datei von --track aufgenommen wurden: in sie wird gezeichnet statt in das Video des Falls, etwa bei einem laufenden Gerät.</translation>
     </message>
     <message>
-        <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
-        <translation>Eine Hand hält das Laparoskop: es dreht sich um den Trokar, kommt näher, geht weg und rollt.</translation>
+        <source>The laparoscope stands. Otherwise a hand holds it: it turns about the trocar, comes nearer, goes away and rolls.</source>
+        <translation>Das Laparoskop steht. Sonst hält es eine Hand: es dreht sich um den Trokar, kommt näher, geht weg und rollt.</translation>
     </message>
     <message>
         <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;show --case C&apos; where a case&apos;s landmarks come from, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>

@@ -9771,8 +9771,8 @@
         <translation>Les vues brutes enregistrées avec le fichier de --track : on y dessine au lieu de la vidéo du cas, comme pour un appareil en direct.</translation>
     </message>
     <message>
-        <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
-        <translation>Une main tient le laparoscope : il tourne autour du trocart, s&apos;approche, s&apos;éloigne et roule.</translation>
+        <source>The laparoscope stands. Otherwise a hand holds it: it turns about the trocar, comes nearer, goes away and rolls.</source>
+        <translation>Le laparoscope ne bouge pas. Sinon une main le tient : il tourne autour du trocart, s&apos;approche, s&apos;éloigne et roule.</translation>
     </message>
     <message>
         <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;show --case C&apos; where a case&apos;s landmarks come from, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>

@@ -79,9 +79,10 @@ void declare_demo(Arguments& arguments) {
                    options.theatre.frames);
   arguments.option("distance", Cli::tr("Distance of the laparoscope, mm (80 to 160)."), "MM",
                    options.theatre.camera_distance_mm);
-  arguments.flag("moving-scope",
-                 Cli::tr("A hand holds the laparoscope: it turns about the trocar, comes nearer, "
-                         "goes away and rolls."));
+  arguments.flag(
+      "standing-scope",
+      Cli::tr("The laparoscope stands. Otherwise a hand holds it: it turns about the trocar, comes "
+              "nearer, goes away and rolls."));
   arguments.option("share", Cli::tr("Share of the surface in the patch of the paper's protocol."), "SHARE",
                    options.patch_share);
   arguments.option("shape", Cli::tr("Which member of the synthetic population."), "SEED",
@@ -110,7 +111,7 @@ experiments::DemoOptions options_of(const Arguments& arguments) {
   options.theatre.frames = arguments.integer("frames", 1, 100000);
   options.theatre.camera_distance_mm = arguments.number("distance", 80.0, 160.0);
   options.theatre.seed = options.clicks.seed = arguments.seed();
-  if (arguments.has("moving-scope")) options.scope = insilico::ScopePath::in_a_hand();
+  if (arguments.has("standing-scope")) options.scope = {};
   if (arguments.has("start-off")) {
     const std::vector<double> off = arguments.numbers("start-off", 3, -100.0, 100.0);
     options.start_off = 1e-3 * Eigen::Vector3d(off[0], off[1], off[2]);

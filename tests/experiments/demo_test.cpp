@@ -22,6 +22,7 @@ class DemoTest : public QObject {
   Q_OBJECT
  private slots:
   void FromCtToTrackedVideo();
+  void AHandHoldsTheLaparoscope();
   void ACancelIsAStatusNotAnError();
   void WrongOptionsAreRefused();
 };
@@ -88,6 +89,11 @@ void DemoTest::FromCtToTrackedVideo() {
   QVERIFY(opened && (*opened)[part::registration] && (*opened)[part::video]);
   QVERIFY(fs::exists((*opened)[part::video]->left));
   QCOMPARE(engine::stage_state(*opened, part::registration), engine::StageState::current);
+}
+
+void DemoTest::AHandHoldsTheLaparoscope() {
+  const insilico::ScopePath path = experiments::DemoOptions().scope;
+  QVERIFY(path.pivot_deg > 0.0 && path.slide_mm > 0.0 && path.roll_deg > 0.0);
 }
 
 void DemoTest::ACancelIsAStatusNotAnError() {

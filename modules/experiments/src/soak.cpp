@@ -81,6 +81,7 @@ class Soak {
     constexpr int kFilm = 40;
     DemoOptions options;
     options.theatre.frames = kFilm;
+    options.scope = {};  // it stands
     options.theatre.seed = options.clicks.seed = context_.seed();
     const auto made = run_demo(options, folder_, {}, context_);
     if (!made) throw Cancelled();

@@ -32,7 +32,7 @@ struct DemoOptions {
   double patch_share = 0.3;                  ///< of the surface, in (0, 1]: the paper's protocol
   insilico::PatientOptions synthetic;
   insilico::TheatreOptions theatre;
-  insilico::ScopePath scope;  ///< how the laparoscope moves; it stands
+  insilico::ScopePath scope = insilico::ScopePath::in_a_hand();  ///< how the laparoscope moves
   insilico::OperatorOptions clicks;
   /// The registration is put off by so much before it is followed, metres, left camera's frame.
   Eigen::Vector3d start_off = Eigen::Vector3d::Zero();
