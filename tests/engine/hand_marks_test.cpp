@@ -127,6 +127,13 @@ class HandMarksTest : public QObject {
     QVERIFY(!mark_stands(with(state_, guess), Structure::umbilical_notch));
   }
 
+  void marksOnAFormerModelAreNoTruth() {
+    CaseState now = with(bare_, marks_);
+    QCOMPARE(atlas_member("a", now).structures.size(), std::size_t{2});
+    now.stamp(part::landmarks).made_from[part::model] = now.stamp(part::model).revision + 1;
+    QVERIFY(atlas_member("a", now).structures.empty());
+  }
+
   void aMarginIsTruthOnlyWhole() {
     Points to = proposed(state_, Structure::anterior_margin).points;
     const CaseState drawn =
@@ -210,6 +217,13 @@ class HandMarksTest : public QObject {
     QVERIFY(placed_points(again, Structure::vena_cava) == cava);
     QVERIFY(proposed(again, Structure::vena_cava).decision == Decision::moved);
     QVERIFY(proposed(again, Structure::vena_cava).area == to);
+    // Of a guess with a mark beside it the mark stays.
+    now = reviewed(state_, Structure::vena_cava, Decision::accepted);
+    Landmarks more = *now[part::landmarks];
+    more.vena_cava.conservativeResize(more.vena_cava.rows() + 1, 3);
+    more.vena_cava.bottomRows(1) = marks_.vena_cava.topRows(1);
+    const CaseState mixed = ProposeLandmarks{atlas_}.apply(with(now, more), kContext)->state;
+    QVERIFY(placed_points(mixed, Structure::vena_cava) == marks_.vena_cava.topRows(1));
   }
 
  private:

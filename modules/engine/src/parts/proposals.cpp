@@ -161,6 +161,8 @@ bool waits(const CaseState& state, Structure structure) {
 
 /// How many points of a landmark lie where the atlas alone has put them.
 long from_statistics(const CaseState& state, Structure structure) {
+  const Proposal* one = proposal_of(state, structure);
+  if (one == nullptr || std::ranges::find(one->sources, Source::statistics) == one->sources.end()) return 0;
   const auto sources = proposed_sources(state, structure);
   return std::count(sources.begin(), sources.end(), Source::statistics);
 }
