@@ -12407,10 +12407,6 @@
         <translation>Zurückholen</translation>
     </message>
     <message>
-        <source>%1, seed %2</source>
-        <translation>%1, Saatpunkt %2</translation>
-    </message>
-    <message>
         <source>Your corrections lie on the voxels of another CT: what would change cannot be shown. The new segmentation takes the place of all labels, and they are lost.</source>
         <translation>Ihre Korrekturen liegen auf den Voxeln eines anderen CTs: Was sich ändern würde, lässt sich nicht zeigen. Die neue Segmentierung tritt an die Stelle aller Labels, und sie sind verloren.</translation>
     </message>

@@ -12407,10 +12407,6 @@
         <translation>Remettre</translation>
     </message>
     <message>
-        <source>%1, seed %2</source>
-        <translation>%1, germe %2</translation>
-    </message>
-    <message>
         <source>Your corrections lie on the voxels of another CT: what would change cannot be shown. The new segmentation takes the place of all labels, and they are lost.</source>
         <translation>Vos corrections se trouvent sur les voxels d’un autre scanner : ce qui changerait ne peut pas être montré. La nouvelle segmentation prend la place de toutes les étiquettes, et elles sont perdues.</translation>
     </message>

@@ -142,7 +142,7 @@ void SegmentationSeedsTest::ADragAcrossALesionTellsItsDiameter() {
   QVERIFY(std::abs(seeds()->lesion_diameter_mm(0) - 16.0) < 1.0);
   QVERIFY(find<QListWidget>("seed_list")->item(0)->text().contains("16 mm"));
   // Notes name a seed by its number.
-  QVERIFY(find<QListWidget>("seed_list")->item(0)->text().startsWith("Lesion 1, seed 1"));
+  QVERIFY(find<QListWidget>("seed_list")->item(0)->text().startsWith(QString::fromUtf8("Lesion 1 · 1")));
   QCOMPARE(shared().line(), nullptr);
   // A click says only where.
   press("seed_lesion_2");

@@ -126,6 +126,8 @@ void SeedBox::build_seed_list() {
   list_ = new QListWidget(this);
   list_->setObjectName(QStringLiteral("seed_list"));
   list_->setFixedHeight(84);
+  list_->setHorizontalScrollBarPolicy(
+      Qt::ScrollBarAlwaysOff);  // three rows are in sight, whatever their length
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   column_of(this)->addWidget(list_);
   auto* buttons = new QGridLayout;
@@ -389,7 +391,7 @@ void SeedBox::show_seeds() {
       QStringList place;
       for (int axis = 0; axis < 3; ++axis)
         place << QString::fromStdString(scene::anatomical_coordinate(axis, entry.p_in_ct[axis]));
-      QString text = tr("%1, seed %2").arg(seed_name(entry.structure)).arg(entry.row + 1);
+      QString text = QStringLiteral("%1 · %2").arg(seed_name(entry.structure)).arg(entry.row + 1);
       if (entry.diameter_mm > 0.0)
         text += QStringLiteral("   ") + tr("⌀ %1 mm").arg(qRound(entry.diameter_mm));
       list_->addItem(
