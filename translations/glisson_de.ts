@@ -9271,6 +9271,30 @@
         <translation>live, Gewebe: größter Fehler an einer Stelle unter der Oberfläche bei gehaltenem Laparoskop, Mittel über die Bilder, mm</translation>
     </message>
     <message>
+        <source>live, tissue: longest time until a right overlay is back after a jump, s</source>
+        <translation>live, Gewebe: längste Zeit, bis nach einem Sprung eine richtige Einblendung zurück ist, s</translation>
+    </message>
+    <message>
+        <source>live, tissue: error over that of a model that stays, in the worst scenario</source>
+        <translation>live, Gewebe: Fehler im Verhältnis zu einem Modell, das stehen bleibt, im schlechtesten Fall</translation>
+    </message>
+    <message>
+        <source>live, heart: longest time until an overlay goes, s</source>
+        <translation>live, Herz: längste Zeit, bis eine Einblendung verschwindet, s</translation>
+    </message>
+    <message>
+        <source>live, heart: largest error at a place below the surface with a scope in a hand, mean over frames, mm</source>
+        <translation>live, Herz: größter Fehler an einer Stelle unter der Oberfläche bei gehaltenem Laparoskop, Mittel über die Bilder, mm</translation>
+    </message>
+    <message>
+        <source>live, heart: longest time until a right overlay is back after a jump, s</source>
+        <translation>live, Herz: längste Zeit, bis nach einem Sprung eine richtige Einblendung zurück ist, s</translation>
+    </message>
+    <message>
+        <source>live, heart: error over that of a model that stays, in the worst scenario</source>
+        <translation>live, Herz: Fehler im Verhältnis zu einem Modell, das stehen bleibt, im schlechtesten Fall</translation>
+    </message>
+    <message>
         <source>Each liver foretold by the others (mm, in silico where the livers are synthetic):</source>
         <translation>Jede Leber aus den anderen vorhergesagt (mm, in silico, wo die Lebern synthetisch sind):</translation>
     </message>

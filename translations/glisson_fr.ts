@@ -9271,6 +9271,30 @@
         <translation>en direct, tissu : plus grande erreur en un point sous la surface avec un laparoscope tenu à la main, moyenne sur les images, mm</translation>
     </message>
     <message>
+        <source>live, tissue: longest time until a right overlay is back after a jump, s</source>
+        <translation>en direct, tissu : temps le plus long jusqu’au retour d’une superposition juste après un saut, s</translation>
+    </message>
+    <message>
+        <source>live, tissue: error over that of a model that stays, in the worst scenario</source>
+        <translation>en direct, tissu : erreur rapportée à celle d’un modèle immobile, dans le pire cas</translation>
+    </message>
+    <message>
+        <source>live, heart: longest time until an overlay goes, s</source>
+        <translation>en direct, cœur : temps le plus long avant que la superposition disparaisse, s</translation>
+    </message>
+    <message>
+        <source>live, heart: largest error at a place below the surface with a scope in a hand, mean over frames, mm</source>
+        <translation>en direct, cœur : plus grande erreur en un point sous la surface avec un laparoscope tenu à la main, moyenne sur les images, mm</translation>
+    </message>
+    <message>
+        <source>live, heart: longest time until a right overlay is back after a jump, s</source>
+        <translation>en direct, cœur : temps le plus long jusqu’au retour d’une superposition juste après un saut, s</translation>
+    </message>
+    <message>
+        <source>live, heart: error over that of a model that stays, in the worst scenario</source>
+        <translation>en direct, cœur : erreur rapportée à celle d’un modèle immobile, dans le pire cas</translation>
+    </message>
+    <message>
         <source>Each liver foretold by the others (mm, in silico where the livers are synthetic):</source>
         <translation>Chaque foie prédit par les autres (mm, in silico là où les foies sont synthétiques) :</translation>
     </message>

@@ -64,6 +64,7 @@ class LiveTallyTest : public QObject {
   void WhatIsBackIsRightAgain();
   void LesionsAreHeldAgainstTheirOwnErrors();
   void ThePageHoldsRocAndTheModelThatStays();
+  void WhatIsMeasuredOnRealPairsIsJudged();
   void WhatDidNotHappenMeetsNoAim();
   void EveryFaultIsNamedOnceAndShowsItself();
   void WhatComesIntoEveryOperationIsNoFault();
@@ -189,6 +190,13 @@ void LiveTallyTest::ThePageHoldsRocAndTheModelThatStays() {
                        [words](const std::string& line) { return line.find(words) != std::string::npos; });
   };
   QVERIFY(has("here, ROC of the evidence of one frame") && has("frozen"));
+}
+
+void LiveTallyTest::WhatIsMeasuredOnRealPairsIsJudged() {
+  for (const char* set : {"live_tissue_", "live_heart_"})
+    for (const char* key : {"far_hidden_share", "near_sound_valid_share", "latest_seconds", "scope_mean_mm",
+                            "return_seconds", "of_frozen_share"})
+      QVERIFY2(std::ranges::count(live_aims(), std::string(set) + key, &Aim::key) == 1, key);
 }
 
 void LiveTallyTest::WhatDidNotHappenMeetsNoAim() {
