@@ -58,6 +58,7 @@ class VesselTubesTest : public QObject {
   void ABranchBeginsWithItsOwnWidth();
   void ThinEndsAreLeftOut();
   void ManyBranchesKeepToTheirTriangles();
+  void ARingHasAnEnd();
 };
 
 void VesselTubesTest::AStraightVesselIsACylinderWithRoundEnds() {
@@ -145,6 +146,12 @@ void VesselTubesTest::ManyBranchesKeepToTheirTriangles() {
   for (const auto& course : scene::vessel_courses(all, 20000)) rings += course.size();
   // Twenty triangles a ring.
   QVERIFY2(rings > 900 && rings < 1200, qPrintable(QString::number(rings)));
+}
+
+void VesselTubesTest::ARingHasAnEnd() {
+  VesselTree tree = line(4e-3);
+  tree.beams.push_back({2, 1});
+  QVERIFY(tubes_of(tree).triangle_count() > 0);
 }
 
 QTEST_GUILESS_MAIN(VesselTubesTest)

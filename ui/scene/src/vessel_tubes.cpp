@@ -39,6 +39,7 @@ std::vector<Course> courses_of(const VesselTree& tree) {
   std::vector<std::vector<int>> children(tree.radii.size());
   std::vector<bool> is_child(tree.radii.size(), false);
   for (const auto& [from, to] : tree.beams) {
+    if (is_child[static_cast<std::size_t>(to)]) continue;  // a ring, which no tree has, would have no end
     is_child[static_cast<std::size_t>(to)] = true;
     if (widest[static_cast<std::size_t>(to)] >= kThin) children[static_cast<std::size_t>(from)].push_back(to);
   }
