@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the CT to the model: import, segment.
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -147,12 +146,6 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
   session.post(command);
 }
 
-/// What is locked in the case is so for the command, too.
-void add_locks(const engine::CaseState& state, std::vector<Label>& locked) {
-  for (const Label label : engine::locked_in(state))
-    if (std::find(locked.begin(), locked.end(), label) == locked.end()) locked.push_back(label);
-}
-
 /// Around each click that the case does not have yet; the labels elsewhere stay. @param as what is locked,
 /// and what becomes of lesions that a hand has drawn.
 void correct_by_seeds(Session& session, const fs::path& path, const engine::Segment& as) {
@@ -272,7 +265,7 @@ int run_segment(const QStringList& given) {
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
-  add_locks(session.state(), command.options.locked);
+  command.options.locked = engine::with_locks(std::move(command.options.locked), session.state());
   if (!seeds.empty()) session.call("seeds", seeds.string());
   if (modality) say_modality(*modality, session);
   if (by_network)

@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/decide_segmentation.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/set_locks.h"
 #include "glisson/engine/commands/set_review.h"
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
@@ -91,6 +92,7 @@ class CorrectAroundTest : public QObject {
   void AClickThatSaysNothingNewOutdatesNothing();
   void WithoutLabelsThereIsNothingToCorrect();
   void ALockedLiverIsSaid();
+  void WhatIsLockedInTheCaseIsSoWithoutAWord();
 };
 
 void CorrectAroundTest::AClickIsAStepThatCanBeUndone() {
@@ -237,6 +239,16 @@ void CorrectAroundTest::ALockedLiverIsSaid() {
   const Outcome outcome = done(*engine, command);
   QCOMPARE(outcome.status, Status::failed);
   QVERIFY(QString::fromStdString(outcome.error).contains(QLatin1String("is locked")));
+}
+
+void CorrectAroundTest::WhatIsLockedInTheCaseIsSoWithoutAWord() {
+  const auto engine = engine_of(Runner::inline_, true);
+  const double before = ml_of(*engine);
+  QCOMPARE(done(*engine, SetLocks{{structure::kParenchyma}}).status, Status::done);
+  const Outcome outcome = done(*engine, click_at(kMiddle + Eigen::Vector3d(0.0, 0.032, 0.0), true));
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY(QString::fromStdString(outcome.error).contains(QLatin1String("is locked")));
+  QCOMPARE(ml_of(*engine), before);
 }
 
 QTEST_APPLESS_MAIN(CorrectAroundTest)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/landmark_origin.h"
 
-#include <algorithm>
-
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
@@ -46,10 +44,7 @@ std::vector<LandmarkOrigin> landmark_origins(const CaseState& state) {
       one.decision = proposed->decision;
     }
     // Points that a person has set without a proposal, or against it, and what the model shows by itself.
-    const auto sources = proposed_sources(state, structure);
-    const bool is_proposal =
-        std::any_of(sources.begin(), sources.end(), [](const auto& source) { return source.has_value(); });
-    if (one.is_used && !is_proposal) {
+    if (one.is_used && !rests_on_proposal(state, structure)) {
       const Eigen::VectorXd known = placed_deviations(state, structure);
       const bool is_guess = known.size() > 0 && known.maxCoeff() > 0.0;  // of a proposal that is gone
       const bool is_mark = marks_by_hand(state, structure).rows() > 0;

@@ -103,6 +103,11 @@ std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& stat
   return std::vector<std::optional<atlas::Source>>(static_cast<std::size_t>(points.rows()));
 }
 
+bool rests_on_proposal(const CaseState& state, atlas::Structure structure) {
+  const auto sources = proposed_sources(state, structure);
+  return std::any_of(sources.begin(), sources.end(), [](const auto& source) { return source.has_value(); });
+}
+
 Points marks_by_hand(const CaseState& state, atlas::Structure structure) {
   const Points placed = placed_points(state, structure);
   const auto proposed = proposed_sources(state, structure);

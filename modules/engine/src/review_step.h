@@ -33,6 +33,9 @@ Applied with_decision(const CaseState& state, const atlas::Proposal& reviewed);
 std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& state,
                                                            atlas::Structure structure);
 
+/// Whether one of placed_points() is where the proposal's review has left it.
+bool rests_on_proposal(const CaseState& state, atlas::Structure structure);
+
 /// Those of placed_points() that neither a proposal's review nor the model has brought: a person's own marks,
 /// CT frame, metres. None of what may lie elsewhere (placed_deviations()): that was a guess.
 /// @pre there is a model

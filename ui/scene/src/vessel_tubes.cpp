@@ -65,10 +65,10 @@ std::vector<Course> courses_of(const VesselTree& tree) {
 }
 
 /// A place along a course: position and radius.
-using Ring = Eigen::Vector4d;
+using Ring = VesselCourse::value_type;
 
-std::vector<Ring> nodes_of(const VesselTree& tree, const Course& course) {
-  std::vector<Ring> rings;
+VesselCourse nodes_of(const VesselTree& tree, const Course& course) {
+  VesselCourse rings;
   for (const int node : course.nodes)
     rings.emplace_back(tree.nodes(node, 0), tree.nodes(node, 1), tree.nodes(node, 2),
                        tree.radii[static_cast<std::size_t>(node)]);
@@ -90,14 +90,14 @@ Ring between(const Ring& a, const Ring& b, const Ring& c, const Ring& d, double 
   return ((bc - at) * low + at * high) / bc;
 }
 
-double length_of(const std::vector<Ring>& rings) {
+double length_of(const VesselCourse& rings) {
   double length = 0.0;
   for (std::size_t i = 1; i < rings.size(); ++i) length += (rings[i] - rings[i - 1]).head<3>().norm();
   return length;
 }
 
-std::vector<Ring> smoothed(const std::vector<Ring>& nodes, double step) {
-  std::vector<Ring> rings;
+VesselCourse smoothed(const VesselCourse& nodes, double step) {
+  VesselCourse rings;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const Ring &b = nodes[i], &c = nodes[i + 1];
     // At an end the curve goes on as it came.
@@ -116,7 +116,7 @@ std::vector<Ring> smoothed(const std::vector<Ring>& nodes, double step) {
 }
 
 /// Half a ball at the end.
-void round_off(std::vector<Ring>& rings) {
+void round_off(VesselCourse& rings) {
   const Ring end = rings.back(), before = rings[rings.size() - 2];
   const Eigen::Vector3d way = (end - before).head<3>();
   if (!(way.norm() > 0.0)) return;
@@ -135,7 +135,7 @@ class Sweep {
   /// a ring.
   explicit Sweep(TriangleMesh& mesh) : mesh_(mesh) {}
 
-  void add(const std::vector<Ring>& rings) {
+  void add(const VesselCourse& rings) {
     Eigen::Vector3d along = way(rings, 0), side = along.unitOrthogonal();
     const int first = vertex_;
     for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -163,7 +163,7 @@ class Sweep {
   }
 
  private:
-  static Eigen::Vector3d way(const std::vector<Ring>& rings, std::size_t i) {
+  static Eigen::Vector3d way(const VesselCourse& rings, std::size_t i) {
     const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, rings.size() - 1);
     const Eigen::Vector3d step = (rings[after] - rings[before]).head<3>();
     return step.norm() > 0.0 ? step.normalized() : Eigen::Vector3d::UnitZ().eval();

@@ -225,13 +225,14 @@ void SeedBox::build_growth() {
 std::optional<engine::Command> SeedBox::growth() {
   let_go();
   engine::Segment command{options(), engine::OverHandWork::offer};
-  if (std::exchange(replaces_hand_, false)) {
+  if (replaces_hand_) {
     command.over_hand_work = engine::OverHandWork::replace;
   } else if (const auto edited = command.would_replace(engine_.state());
              !edited.empty() && !command.keeps_labels() && !labels_fit()) {
     const auto replace = [this] {
       replaces_hand_ = true;
       run_->trigger();
+      replaces_hand_ = false;  // what could not begin is asked for again
     };
     ask_over_hand_work(window(), edited,
                        tr("Your corrections lie on the voxels of another CT: what would change cannot be "

@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/locks.h"
 #include "glisson/segmentation/kept_notes.h"
 #include "label_steps.h"
 #include "steps/correct_around.h"
@@ -30,6 +31,7 @@ struct Corrected {
 Cancellable<Corrected> corrected(const CorrectAround& command, const CaseState& state,
                                  const RunContext& context) {
   Corrected all{*state[part::labels], 0, 0.0, {}};
+  const std::vector<Label> locked = with_locks(command.locked, state);
   const std::size_t count = command.clicks.size() + command.grown.size();
   for (std::size_t n = 0; n < count; ++n) {
     const auto at = static_cast<double>(n), of = static_cast<double>(count);
@@ -37,10 +39,9 @@ Cancellable<Corrected> corrected(const CorrectAround& command, const CaseState& 
     const Image& image = *state[part::image];
     auto one =
         n < command.clicks.size()
-            ? segmentation::correct_around(image, all.labels, command.seeds, command.clicks[n],
-                                           command.locked, here)
+            ? segmentation::correct_around(image, all.labels, command.seeds, command.clicks[n], locked, here)
             : segmentation::grow_around(image, all.labels, command.seeds,
-                                        command.grown[n - command.clicks.size()], command.locked, here);
+                                        command.grown[n - command.clicks.size()], locked, here);
     if (!one) return {};
     all.labels = std::move(one->labels);
     all.changed += one->voxels_changed;
@@ -123,7 +124,7 @@ std::set<Label> CorrectAround::would_replace(const CaseState& state) const {
 
 CommandTraits CorrectAround::traits() const {
   return {.code = "correct_around",
-          .reads = labels_and_review() | Parts{part::image},
+          .reads = labels_and_review() | Parts{part::image, part::locks},
           .writes = labels_and_review(),
           .needs = {part::image, part::labels},
           .notice = Notice::quiet};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/edit_labels.h"
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -23,11 +22,8 @@ Cancellable<editing::Edited> edited(const CaseState& state, const LabelMap& befo
   return editing::apply_edit(before, *state[part::image], edit, context);
 }
 
-/// What is locked in the case is so for each edit.
-editing::Edit with_locks(editing::Edit edit, const CaseState& state) {
-  std::vector<Label>& locked = edit.region.locked;
-  for (const Label label : locked_in(state))
-    if (std::ranges::find(locked, label) == locked.end()) locked.push_back(label);
+editing::Edit allowed(editing::Edit edit, const CaseState& state) {
+  edit.region.locked = with_locks(std::move(edit.region.locked), state);
   return edit;
 }
 
@@ -54,7 +50,7 @@ CommandTraits EditLabels::traits() const {
 Cancellable<Applied> EditLabels::apply(const CaseState& state, const RunContext& context) const {
   require_labels_fit_image(state);
   const LabelMap before = labels_or_none(state);
-  auto made = edited(state, before, with_locks(edit, state), context);
+  auto made = edited(state, before, allowed(edit, state), context);
   if (!made) return {};
   Applied applied{state, {{"voxels_changed", static_cast<double>(made->voxels_changed)}}, made->notes};
   put(applied.state, before, *this, std::move(*made));

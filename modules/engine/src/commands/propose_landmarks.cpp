@@ -31,11 +31,6 @@ atlas::Evidence evidence(const CaseState& state) {
   return all;
 }
 
-bool rests_on_proposal(const CaseState& state, Structure structure) {
-  const auto sources = proposed_sources(state, structure);
-  return std::any_of(sources.begin(), sources.end(), [](const auto& one) { return one.has_value(); });
-}
-
 /// What becomes of landmarks that former proposals have left: what a person has moved stays with its
 /// proposal, what was merely accepted is asked again. @param made takes over what stays. @return the case
 /// with the landmarks that stay.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/parts/locks.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "same_value.h"
@@ -19,6 +20,12 @@ void load(CaseState& state, const json& entry, const CaseFolder&) {
 
 std::set<Label> locked_in(const CaseState& state) {
   return state[part::locks] ? *state[part::locks] : std::set<Label>();
+}
+
+std::vector<Label> with_locks(std::vector<Label> locked, const CaseState& state) {
+  for (const Label label : locked_in(state))
+    if (std::ranges::find(locked, label) == locked.end()) locked.push_back(label);
+  return locked;
 }
 
 const PartOf<std::set<Label>> part::locks{{.code = "locks",

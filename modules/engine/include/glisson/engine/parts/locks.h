@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <vector>
 
 #include "glisson/engine/case_state.h"
 #include "glisson/volume/label_volume.h"
@@ -15,5 +16,8 @@ extern const PartOf<std::set<Label>> locks;
 
 /// part::locks; empty where none was ever locked.
 std::set<Label> locked_in(const CaseState& state);
+
+/// What a command is told to leave alone, with what is locked in the case.
+std::vector<Label> with_locks(std::vector<Label> locked, const CaseState& state);
 
 }  // namespace glisson::engine

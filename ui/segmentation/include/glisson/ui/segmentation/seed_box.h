@@ -92,7 +92,7 @@ class SeedBox : public QWidget {
   /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
   std::set<Label> known_lesions_;
   std::set<Label> locked_;
-  bool replaces_hand_ = false;  ///< the growth that comes next; the person has said so
+  bool replaces_hand_ = false;  ///< while the growth begins of which the person has said so
   bool active_ = false;
   std::optional<Label> structure_;
   std::vector<SeedEntry> entries_;
