@@ -3,9 +3,11 @@
 
 #include <QTest>
 
+#include "../openigtlink/peer_process.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/source.h"
 
 using namespace glisson;
 using guidance::FrameSpan;
@@ -19,6 +21,7 @@ class EachFrameTest : public QObject {
   void TheSpanIsGoneThroughInItsOrder();
   void WhatIsNotKnownIsPassedOver();
   void WhatIsThrownEndsIt();
+  void ALiveSourceIsNotWaitedFor();
   void TheShareThatIsDoneIsOfTheSpan();
 
  private:
@@ -89,13 +92,26 @@ void EachFrameTest::WhatIsThrownEndsIt() {
   QCOMPARE(asked, 3);
 }
 
+/// The first frame of the span is one of a former opening.
+void EachFrameTest::ALiveSourceIsNotWaitedFor() {
+  PeerProcess server({"serve", "good"});
+  const QString port = server.wait_for([](const Words& words) { return words.value(0) == "port"; }).value(1);
+  stereo::StereoVideo video(stereo::igtl_source("127.0.0.1:" + port.toStdString() + "/Left,Right"));
+  std::vector<int> numbers;
+  guidance::each_frame(video, {1000, 2}, numbered, [&](const StereoFrame& frame, const OverlayFrame&) {
+    numbers.push_back(frame.index);
+  });
+  QCOMPARE(numbers, (std::vector<int>{0, 1, 2}));
+}
+
 void EachFrameTest::TheShareThatIsDoneIsOfTheSpan() {
   QCOMPARE(FrameSpan{}.done_with(2, 6), 0.5);
   QCOMPARE((FrameSpan{2, -1}.done_with(3, 6)), 0.5);
   QCOMPARE((FrameSpan{2, 3}.done_with(2, 6)), 0.5);
   QCOMPARE(FrameSpan{}.done_with(8, 6), 1.0);  // a container that knows of fewer frames than it has
   QCOMPARE(FrameSpan{}.done_with(0, 0), 1.0);  // a live device
+  QCOMPARE((FrameSpan{7, -1}.done_with(0, 0)), 1.0);
 }
 
-QTEST_APPLESS_MAIN(EachFrameTest)
+QTEST_GUILESS_MAIN(EachFrameTest)
 #include "each_frame_test.moc"

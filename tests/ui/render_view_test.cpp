@@ -45,6 +45,7 @@ class RenderViewTest : public QObject {
  private slots:
   void WhatIsDrawnIsShownTheRightWayUp();
   void ItIsDrawnAnewWhenTheSceneHasChanged();
+  void TheSceneStaysInAViewOfAnotherSizeUntilSomebodyMovesIt();
 };
 
 void RenderViewTest::WhatIsDrawnIsShownTheRightWayUp() {
@@ -58,6 +59,37 @@ void RenderViewTest::WhatIsDrawnIsShownTheRightWayUp() {
   const QImage shown = view.grab().toImage();
   QCOMPARE(shown.pixelColor(shown.width() / 2, shown.height() / 8), QColor(Qt::red));
   QCOMPARE(shown.pixelColor(shown.width() / 2, 7 * shown.height() / 8), QColor(Qt::green));
+}
+
+/// Nobody has turned it: what is 20 wide is as wide a part of a narrow view as of one that was narrow before.
+void RenderViewTest::TheSceneStaysInAViewOfAnotherSizeUntilSomebodyMovesIt() {
+  ui::RenderView view;
+  scene::PatientScene& patient = view.patient();
+  add_floor(patient.renderer());
+  view.resize(400, 200);
+  view.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&view));
+  QTRY_COMPARE(view.picture().size(), view.size() * view.devicePixelRatio());
+  patient.look_from(scene::ViewFrom::superior);  // along -z, as the floor faces
+  const auto wide = [&] {
+    const auto left = patient.view_point({-10, -5, 0}, view.aspect()),
+               right = patient.view_point({10, -5, 0}, view.aspect());
+    return left && right ? std::abs(right->x() - left->x()) : -1.0;
+  };
+  const auto resized = [&](int w, int h) {
+    view.resize(w, h);
+    QTRY_COMPARE(view.picture().size(), view.size() * view.devicePixelRatio());
+  };
+  resized(120, 400);
+  const double narrow = wide();
+  QVERIFY2(narrow > 0.5 && narrow < 1.2, qPrintable(QString::number(narrow)));
+  resized(400, 200);
+  resized(120, 400);
+  QVERIFY(std::abs(wide() - narrow) < 1e-9);
+  patient.renderer().GetActiveCamera()->Dolly(2.0);  // somebody looks closer
+  const Eigen::Vector3d moved(patient.renderer().GetActiveCamera()->GetPosition());
+  resized(400, 200);
+  QVERIFY((Eigen::Vector3d(patient.renderer().GetActiveCamera()->GetPosition()) - moved).norm() < 1e-12);
 }
 
 void RenderViewTest::ItIsDrawnAnewWhenTheSceneHasChanged() {

@@ -166,8 +166,11 @@ void RenderView::draw() {
   const int w = std::max(1, static_cast<int>(width() * ratio)),
             h = std::max(1, static_cast<int>(height() * ratio));
   vtkGenericOpenGLRenderWindow& window = *impl_->window;
+  const int* const before = window.GetSize();
+  const bool is_resized = before[0] != w || before[1] != h;
   window.SetSize(w, h);
   impl_->interactor->SetSize(w, h);
+  if (is_resized) patient_->keep_in_view();
   patient_->renderer().ResetCameraClippingRange();
   window.Render();
   if (impl_->picture.size() != QSize(w, h)) impl_->picture = QImage(w, h, QImage::Format_RGB32);

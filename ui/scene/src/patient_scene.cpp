@@ -99,6 +99,8 @@ struct PatientScene::Impl {
   std::map<Label, double> opacity{{structure::kParenchyma, 0.35}};
   bool mesh_visible = false, slices_visible = true, skeleton_visible = false;
   ClosestPointTree skin;
+  std::optional<ViewFrom> looked_from;                       ///< by look_from(), last
+  Eigen::Vector3d looked_at_from = Eigen::Vector3d::Zero();  ///< where it set the viewer
 
   void remove(std::unique_ptr<Shape>& shape) {
     if (shape) renderer->RemoveActor(shape->actor);
@@ -422,36 +424,30 @@ void PatientScene::set_slices_visible(bool visible) {
 }
 
 void PatientScene::look_from(ViewFrom from) {
-  Eigen::Vector3d direction(0, 1, 0), up(0, 0, 1);  // LPS: from the viewer to the patient
-  switch (from) {
-    case ViewFrom::anterior:
-      direction = {0, 1, 0}, up = {0, 0, 1};
-      break;
-    case ViewFrom::posterior:
-      direction = {0, -1, 0}, up = {0, 0, 1};
-      break;
-    case ViewFrom::right:
-      direction = {1, 0, 0}, up = {0, 0, 1};
-      break;
-    case ViewFrom::left:
-      direction = {-1, 0, 0}, up = {0, 0, 1};
-      break;
-    case ViewFrom::superior:
-      direction = {0, 0, -1}, up = {0, -1, 0};
-      break;
-    case ViewFrom::inferior:
-    case ViewFrom::camera:
-      direction = {0, 0, 1}, up = {0, -1, 0};
-      break;
-  }
+  struct Look {
+    Eigen::Vector3d direction, up;  // LPS: from the viewer to the patient
+  };
+  static const std::map<ViewFrom, Look> looks = {
+      {ViewFrom::anterior, {{0, 1, 0}, {0, 0, 1}}},   {ViewFrom::posterior, {{0, -1, 0}, {0, 0, 1}}},
+      {ViewFrom::right, {{1, 0, 0}, {0, 0, 1}}},      {ViewFrom::left, {{-1, 0, 0}, {0, 0, 1}}},
+      {ViewFrom::superior, {{0, 0, -1}, {0, -1, 0}}}, {ViewFrom::inferior, {{0, 0, 1}, {0, -1, 0}}},
+      {ViewFrom::camera, {{0, 0, 1}, {0, -1, 0}}}};
+  const Look& look = looks.at(from);
   vtkCamera& view = *impl_->renderer->GetActiveCamera();
   view.SetUseExplicitProjectionTransformMatrix(false);
   view.SetFocalPoint(0, 0, 0);
-  view.SetPosition((-direction).eval().data());
-  view.SetViewUp(up.data());
+  view.SetPosition((-look.direction).eval().data());
+  view.SetViewUp(look.up.data());
   impl_->renderer->ResetCamera();
   view.Dolly(kFillView);
   impl_->renderer->ResetCameraClippingRange();
+  impl_->looked_from = from;
+  impl_->looked_at_from = Eigen::Map<const Eigen::Vector3d>(view.GetPosition());
+}
+
+void PatientScene::keep_in_view() {
+  const Eigen::Map<const Eigen::Vector3d> now(impl_->renderer->GetActiveCamera()->GetPosition());
+  if (impl_->looked_from && now == impl_->looked_at_from) look_from(*impl_->looked_from);
 }
 
 ViewLetters PatientScene::view_letters() const {

@@ -15,7 +15,7 @@ namespace glisson::guidance {
 
 /// Which frames of a video are looked at, by their numbers, both included.
 struct FrameSpan {
-  int first = 0;
+  int first = 0;  ///< of a live source the first that comes: it counts anew when it is opened again
   int last = -1;  ///< below 0: to the video's end
   /// Share that is done with a frame, in [0, 1].
   /// @param frames of the whole video; 0: unknown, as of a live device, which is always at its end.

@@ -85,6 +85,9 @@ class PatientScene {
 
   /// Whole scene in view. `camera` looks along +z with y down (the laparoscope's own view).
   void look_from(ViewFrom from);
+  /// The view has another size: the whole scene is in it again, unless somebody has moved the viewer since
+  /// look_from().
+  void keep_in_view();
   /// @pre the scene is in the CT's frame.
   ViewLetters view_letters() const;
   /// The first point of the liver's surface under a place in the view, at the nodes where they are now.
