@@ -197,7 +197,7 @@ void JudgePictureTest::WhatIsWrongFromTheFirstIsNoNorm() {
   for (const auto& [first, said] : {std::pair{dull, Validity::poor_picture},
                                     std::pair{behind_a_tool(first_, 110.0), Validity::partly_covered}}) {
     JudgeOptions options;
-    options.supported = options.least_supported = 0.0;  // what is seen less is another reason
+    options.missing = 1.0, options.least_supported = 0.0;  // what is seen less is another reason
     options.unknown = options.gap = options.local = options.pull = 100.0;
     options.behind = options.lifted = 1.0;
     options.before = 0.3;
@@ -223,7 +223,7 @@ void JudgePictureTest::AViewIsHeldAgainstItsOwnStart() {
     return frame;
   };
   JudgeOptions options;
-  options.supported = options.least_supported = 0.0;  // of the pictures alone
+  options.missing = 1.0, options.least_supported = 0.0;  // of the pictures alone
   options.unknown = options.gap = options.local = options.pull = options.mean_gap = 100.0;
   options.behind = options.lifted = options.before = 1.0;
   options.motion = 0.0;
@@ -410,7 +410,7 @@ void JudgePictureTest::AStillPictureIsToldFromACopy() {
 
 void JudgePictureTest::ACopyIsToldWhereTooFewPointsTellOfMotion() {
   JudgeOptions options;
-  options.supported = options.least_supported = 0.0;  // only the picture is asked about
+  options.missing = 1.0, options.least_supported = 0.0;  // only the picture is asked about
   Judge judge(model_, rig_, {}, options);
   judge.begin(first_, nodes_);
   std::vector<StereoFrame> alive;  // one place, noise of its own in each
@@ -437,7 +437,7 @@ void JudgePictureTest::ACopyIsToldWhereTooFewPointsTellOfMotion() {
 void JudgePictureTest::WhatStoodIsAliveAgainWhereTooFewPointsTellOfMotion() {
   // It moves, then its picture is repeated, then it goes on, and fewer points are followed than before.
   JudgeOptions options;
-  options.supported = options.least_supported = 0.0;  // only the picture is asked about
+  options.missing = 1.0, options.least_supported = 0.0;  // only the picture is asked about
   Judge judge(model_, rig_, {}, options);
   judge.begin(first_, nodes_);
   std::vector<StereoFrame> alive;

@@ -251,25 +251,26 @@ void OverlayRecordTest::TheEvidenceBehindALevelComesBack() {
   Evidence& said = written.overlay.evidence;
   said.judged = true;
   int n = 0;
-  for (double* value : {&said.supported, &said.gap, &said.local, &said.behind, &said.before, &said.lifted,
-                        &said.pull_sigma, &said.contrast, &said.motion, &said.fresh})
+  for (double* value : {&said.supported, &said.missing, &said.gap, &said.local, &said.behind, &said.before,
+                        &said.lifted, &said.pull_sigma, &said.contrast, &said.motion, &said.fresh})
     *value = 0.1 * ++n;
   said.pull = 2.1e-3;
   said.rows = 0.4;
   written.remedy = "Take away what covers it.";
   const QJsonObject object = object_of(written), evidence = object["evidence"].toObject();
-  QCOMPARE(evidence.size(), 12);
+  QCOMPARE(evidence.size(), 13);
   QVERIFY(is_near(evidence["pull_mm"].toDouble(), 2.1) && is_near(evidence["rows_px"].toDouble(), 0.4));
   QCOMPARE(object["points"].toObject()["pairs"].toInt(), 160);
   QCOMPARE(object["remedy"].toString(), QString("Take away what covers it."));
   const OverlayLine read = read_back(written);
   const Evidence &there = read.overlay.evidence, &here = written.overlay.evidence;
   QVERIFY(there.judged && is_near(there.supported, here.supported) && is_near(there.gap, here.gap) &&
-          is_near(there.behind, here.behind) && is_near(there.pull, here.pull) &&
-          is_near(there.pull_sigma, here.pull_sigma) && is_near(there.contrast, here.contrast) &&
-          is_near(there.motion, here.motion) && is_near(there.rows, here.rows) &&
-          is_near(there.local, here.local) && is_near(there.before, here.before) &&
-          is_near(there.lifted, here.lifted) && is_near(there.fresh, here.fresh));
+          is_near(there.missing, here.missing) && is_near(there.behind, here.behind) &&
+          is_near(there.pull, here.pull) && is_near(there.pull_sigma, here.pull_sigma) &&
+          is_near(there.contrast, here.contrast) && is_near(there.motion, here.motion) &&
+          is_near(there.rows, here.rows) && is_near(there.local, here.local) &&
+          is_near(there.before, here.before) && is_near(there.lifted, here.lifted) &&
+          is_near(there.fresh, here.fresh));
   QVERIFY(read.overlay.tracked_left == 181 && read.overlay.tracked_right == 174 && read.overlay.pairs == 160);
   QVERIFY(is_near(read.overlay.milliseconds, 9.5) && read.remedy == written.remedy);
   // Before anything was judged nothing is said of it.

@@ -23,8 +23,20 @@ constexpr double kPictureSeconds = 0.1;  ///< contrast changes slowly
 constexpr int kRefuted = 2;              ///< bad surfaces in a row, as many as raise a doubt
 /// Surfaces that may neither confirm nor refute a place before it counts as not found.
 constexpr int kMostUndecided = 6;
-/// Over so many surfaces in a row the gap's mean square is held against its own, lower limit.
+/// Over up to so many surfaces in a row the gap's mean square is held against its own, lower limit.
 constexpr std::size_t kSurfacesInMean = 10;
+/// So many are made one after the other at the start: it has to prove itself sooner than what was followed.
+constexpr int kSurfacesAtStart = 5;
+/// Regions of the picture that err on their own in one surface (JudgeOptions::mean_gap).
+constexpr double kRegionsAlone = 4.5;
+
+/// How far above one the root of the mean of `squares` independent squares of deviation one is found once in
+/// a thousand times: chi-square's quantile by Wilson and Hilferty (1931).
+double rare_rms(double squares) {
+  constexpr double kNormalQuantile = 3.0902;
+  const double variance = 2.0 / (9.0 * squares);
+  return std::pow(1.0 - variance + kNormalQuantile * std::sqrt(variance), 1.5);
+}
 
 }  // namespace
 
@@ -39,7 +51,7 @@ void JudgeOptions::validate() const {
   demand(behind > 0.0 && behind <= 1.0, "behind", behind, "Give a share above 0, at most 1");
   demand(pull > 0.0, "pull", pull, "Give a positive length in metres");
   demand(pull_sigmas > 0.0, "pull_sigmas", pull_sigmas, "Give a positive number");
-  demand(supported >= 0.0 && supported <= 1.0, "supported", supported, "Give a share from 0 to 1");
+  demand(missing > 0.0 && missing <= 1.0, "missing", missing, "Give a share above 0, at most 1");
   demand(least_supported >= 0.0 && least_supported <= 1.0, "least_supported", least_supported,
          "Give a share from 0 to 1");
   demand(unknown > 0.0, "unknown", unknown, "Give a positive length in metres");
@@ -70,6 +82,7 @@ struct Judge::Impl {
     clock.tick(first.seconds);
     looked = looked_at_picture = 0.0;
     undecided = false;
+    looks = 1;
     last_gaps.clear();
     is_misplaced = false;
     motion = {};
@@ -80,10 +93,11 @@ struct Judge::Impl {
     right_signal = signal_at_start(first.right, options.least_signal);
     shape = nodes;
     tissue.clear();
-    const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);
+    surface.forget();
+    const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape, {}, {}, true);
     take(seen);
+    last_gaps.push_back(evidence.gap);
     tissue.add(seen.tissue, seen.eye);
-    first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
     measured.poor = options.contrast / std::max(measured_contrast(first), kLeast);
@@ -94,6 +108,7 @@ struct Judge::Impl {
 
   void take(const SurfaceEvidence& seen) {
     evidence.supported = seen.supported;
+    evidence.missing = seen.missing;
     evidence.gap = seen.gap;
     evidence.local = seen.local;
     evidence.behind = seen.behind;
@@ -113,19 +128,22 @@ struct Judge::Impl {
   bool is_silent() const { return evidence.pull_sigma >= options.unknown && apartness() < 1.0; }
   /// 1 and more: too much is covered.
   double coverage() const {
-    const double enough = std::max(options.least_supported, options.supported * first_supported);
-    return std::max({(1.0 - evidence.supported) / (1.0 - std::min(enough, 0.99)),
-                     evidence.before / options.before, evidence.pull_sigma / options.unknown});
+    return std::max({options.least_supported / std::max(evidence.supported, kLeast),
+                     evidence.missing / options.missing, evidence.before / options.before,
+                     evidence.pull_sigma / options.unknown});
   }
 
   void look_at_surface(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
                        const Points& nodes, const Picture& not_liver) {
     compare_surface();
-    // While nothing is shown because the model was set elsewhere, one surface is made after the other.
-    if (!pending.valid() && clock.is_due(looked, undecided ? options.lag : options.every)) {
+    // At the start, and while nothing is shown because the model was set elsewhere, one surface is made after
+    // the other.
+    const bool is_new = undecided || looks < kSurfacesAtStart;
+    if (!pending.valid() && clock.is_due(looked, is_new ? options.lag : options.every)) {
       looked = clock.now();
-      pending = std::async(std::launch::async, [this, frame, points, nodes, not_liver, now = shape] {
-        return surface.check(frame.left, frame.right, nodes, now, points, not_liver);
+      const bool learns = !undecided && verdict() == Validity::valid;
+      pending = std::async(std::launch::async, [this, frame, points, nodes, not_liver, learns, now = shape] {
+        return surface.check(frame.left, frame.right, nodes, now, points, not_liver, learns);
       });
       compare_surface();
     }
@@ -147,15 +165,19 @@ struct Judge::Impl {
     ++looks;
     undecided = undecided && apart.stands() && against < kRefuted && looks < kMostUndecided;
   }
-  /// Matching's errors change from picture to picture, a wrong place stays.
+  /// Matching's errors change from picture to picture, a wrong place stays: the more surfaces since it was
+  /// set, the less their mean may be off.
   void look_at_mean_gap() {
     last_gaps.push_back(evidence.gap);
     if (last_gaps.size() > kSurfacesInMean) last_gaps.pop_front();
-    if (last_gaps.size() < kSurfacesInMean) return;
+    if (last_gaps.size() < 2) return;  // `gap` is the limit of one
     double squares = 0.0;
     for (const double gap : last_gaps) squares += gap * gap;
-    measured.misplaced = std::sqrt(squares / static_cast<double>(kSurfacesInMean)) / options.mean_gap;
-    is_misplaced = measured.misplaced >= 1.0;
+    const auto n = static_cast<double>(last_gaps.size());
+    const double limit =
+        options.mean_gap * rare_rms(kRegionsAlone * n) / rare_rms(kRegionsAlone * kSurfacesInMean);
+    measured.misplaced = std::sqrt(squares / n) / limit;
+    is_misplaced = measured.misplaced >= (is_misplaced ? options.relief : 1.0);
   }
   void distrust() {
     if (pending.valid()) pending.wait();
@@ -246,14 +268,14 @@ struct Judge::Impl {
   FreshNoise noise;
   StandingParts parts;
   Evidence evidence;
-  double first_supported = 0.0, left_signal = 0.0, right_signal = 0.0;
+  double left_signal = 0.0, right_signal = 0.0;
   Points shape;                                  ///< tissue is kept in it
   TissueMap tissue;                              ///< since begin()
   FrameClock clock;                              ///< since begin()
   double looked = 0.0, looked_at_picture = 0.0;  ///< at the frame whose surface was made last; likewise
   bool undecided = false;  ///< set elsewhere, and surfaces have neither confirmed nor refuted it
   int against = 0;         ///< bad surfaces in a row
-  int looks = 0;           ///< surfaces since it was set elsewhere
+  int looks = 0;           ///< surfaces since begin() or distrust()
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4};  ///< by measurements
   /// By seconds. A picture that stands is a copy, or may be one.
   Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2}, copies{0.0, 0.2},

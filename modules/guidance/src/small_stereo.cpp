@@ -6,14 +6,16 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "disparity_fit.h"
 #include "picture_view.h"
 
 namespace glisson::guidance {
 namespace {
 
-constexpr int kWindow = 15;               ///< pixels of the reduced pictures
-constexpr double kDisparitySigma = 0.25;  ///< pixels of the reduced pictures: block matching's own
-constexpr int kShare = 16;                ///< of a pixel, OpenCV's unit of disparities
+constexpr int kBlock = 7;  ///< pixels of the reduced pictures
+/// Pixels of the reduced pictures: what a disparity errs besides noise (lens, whole pixels).
+constexpr double kDisparitySigma = 0.25;
+constexpr int kShare = 16;  ///< of a pixel, OpenCV's unit of disparities
 
 cv::Mat matrix(const Eigen::Matrix3d& from) {
   cv::Mat to(3, 3, CV_64F);
@@ -39,7 +41,7 @@ struct SmallStereo::Impl {
   cv::Mat map_left[2], map_right[2];
   Eigen::Matrix3d rectified_from_left = Eigen::Matrix3d::Identity();
   double focal = 1.0, cx = 0.0, cy = 0.0, offset = 0.0, baseline = 1.0;
-  cv::Ptr<cv::StereoBM> matcher;
+  cv::Ptr<cv::StereoSGBM> matcher;
   cv::Mat left, right, disparity;
 
   static void rectified(const Picture& picture, const Camera& camera, const char* name, const cv::Mat* map,
@@ -73,14 +75,9 @@ SmallStereo::SmallStereo(const StereoRig& rig, int width, int step, double near,
   const auto disparity = [&](double z) { return impl_->focal * impl_->baseline / z + impl_->offset; };
   const int least = static_cast<int>(std::floor(disparity(far)));
   const int span = 16 * static_cast<int>(std::ceil((disparity(near) - least + 1.0) / 16.0));
-  impl_->matcher = cv::StereoBM::create(std::max(16, span), kWindow);
-  impl_->matcher->setMinDisparity(least);
-  impl_->matcher->setTextureThreshold(200);
-  impl_->matcher->setUniquenessRatio(10);
-  impl_->matcher->setDisp12MaxDiff(1);
-  impl_->matcher->setPreFilterCap(31);
-  impl_->matcher->setSpeckleWindowSize(60);
-  impl_->matcher->setSpeckleRange(2);
+  impl_->matcher =
+      cv::StereoSGBM::create(least, std::max(16, span), kBlock, 8 * kBlock * kBlock, 32 * kBlock * kBlock, 1,
+                             31, 10, 60, 2, cv::StereoSGBM::MODE_SGBM_3WAY);
 
   columns_ = small.width / step;
   rows_ = small.height / step;
@@ -125,7 +122,9 @@ std::vector<SeenPoint> SmallStereo::see(const Picture& left, const Picture& righ
       const int x = c * step_ + step_ / 2, y = r * step_ + step_ / 2;
       const int raw = impl_->disparity.at<std::int16_t>(y, x);
       if (raw <= nothing) continue;
-      const double d = raw / static_cast<double>(kShare) - impl_->offset;
+      const auto fit = fit_disparity(impl_->left, impl_->right, x, y, raw / static_cast<double>(kShare));
+      if (!fit) continue;
+      const double d = fit->disparity - impl_->offset;
       if (d <= 0.5) continue;
       const double z = impl_->focal * impl_->baseline / d;
       SeenPoint point;
@@ -133,7 +132,7 @@ std::vector<SeenPoint> SmallStereo::see(const Picture& left, const Picture& righ
       point.row = r;
       point.p_in_camera =
           back * (z * Eigen::Vector3d((x - impl_->cx) / impl_->focal, (y - impl_->cy) / impl_->focal, 1.0));
-      point.sigma = z / d * kDisparitySigma * point.p_in_camera.norm() / z;
+      point.sigma = point.p_in_camera.norm() / d * std::hypot(kDisparitySigma, fit->sigma);
       seen.push_back(point);
     }
   return seen;

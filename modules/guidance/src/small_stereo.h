@@ -18,8 +18,10 @@ struct SeenPoint {
   double sigma = 0.0;                                     ///< metres along the ray
 };
 
-/// A coarse surface from one pair, quickly: block matching of the pair rectified at a reduced size, read on a
-/// grid. It knows nothing of any model or of former frames. Not thread-safe.
+/// A coarse surface from one pair, quickly: semi-global matching (Hirschmüller 2008, by OpenCV) of the pair
+/// rectified at a reduced size, read on a grid. What it puts there is taken where the two pictures confirm it
+/// (fit_disparity()): dark, plain tissue is seen whole, which block matching alone sees in scraps, and what
+/// smoothness has made up is not. It knows nothing of any model or of former frames. Not thread-safe.
 class SmallStereo {
  public:
   /// Metres along z between which a laparoscope sees an organ.
@@ -38,7 +40,7 @@ class SmallStereo {
   /// The grid's place (column, row) in which a point lies, left camera's frame; empty: outside.
   std::optional<std::pair<int, int>> place(const Eigen::Vector3d& p_in_camera) const;
 
-  /// Only what passes the checks of matching (uniqueness, left against right, texture).
+  /// Only what passes the checks of matching (uniqueness, left against right) and is confirmed.
   /// @throws InputError pictures of another size than the calibration's.
   std::vector<SeenPoint> see(const Picture& left, const Picture& right);
 

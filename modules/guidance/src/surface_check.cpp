@@ -12,6 +12,7 @@
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/moving_surface.h"
 #include "lifted_tissue.h"
+#include "seen_shares.h"
 #include "small_stereo.h"
 #include "surface_fit.h"
 
@@ -151,10 +152,12 @@ struct SurfaceCheck::Impl {
     return regions;
   }
 
-  void compare(const std::vector<SeenPoint>& points, const std::vector<FollowedPoint>& followed,
+  void compare(const std::vector<SeenPoint>& points, const std::vector<FollowedPoint>& followed, bool learns,
                SurfaceEvidence& evidence) {
     for (const double z : depth) evidence.predicted += z > 0.0;
     look_at_regions(classify(points, evidence), evidence);
+    evidence.missing = seen_shares.missing(hit, is_supported);
+    if (learns) seen_shares.learn(hit, is_supported);
     lifted = lifted_places(grid_of(points, followed));
     int inside = 0, supported = 0, behind = 0, before = 0, organ = 0;
     for (int r = 0; r < stereo.rows(); ++r)
@@ -277,6 +280,7 @@ struct SurfaceCheck::Impl {
   }
 
   registration::MovingSurface surface, in_shape;
+  SeenShares seen_shares{surface.mesh().triangle_count()};
   Points shape_now;                  ///< of in_shape
   registration::NormalMemo normals;  ///< of surface
   SmallStereo stereo;
@@ -292,19 +296,21 @@ SurfaceCheck::~SurfaceCheck() = default;
 
 SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
                                     const Points& shape, const std::vector<FollowedPoint>& followed,
-                                    const Picture& not_liver) {
+                                    const Picture& not_liver, bool learns) {
   SurfaceEvidence evidence;
   std::vector<SeenPoint> points = impl_->stereo.see(left, right);
   std::erase_if(points, [&](const SeenPoint& point) {
     return impl_->allowed[impl_->index(point.column, point.row)] == 0;
   });
   impl_->predict(nodes_in_camera);
-  impl_->compare(points, followed, evidence);
+  impl_->compare(points, followed, learns, evidence);
   impl_->fit(points, evidence);
   evidence.tissue = impl_->tissue(points, shape, not_liver);
   if (shape.rows() > 0)
     evidence.eye = fit_rigid<CameraFrame, CameraFrame>(nodes_in_camera, shape).translation;
   return evidence;
 }
+
+void SurfaceCheck::forget() { impl_->seen_shares = SeenShares(impl_->surface.mesh().triangle_count()); }
 
 }  // namespace glisson::guidance

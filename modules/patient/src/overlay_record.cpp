@@ -42,6 +42,7 @@ struct EvidenceField {
   bool may_be_unknown = false;
 };
 constexpr EvidenceField kEvidence[] = {{"supported", &Evidence::supported},
+                                       {"missing", &Evidence::missing},
                                        {"gap", &Evidence::gap},
                                        {"local", &Evidence::local},
                                        {"behind", &Evidence::behind},

@@ -10,17 +10,18 @@ struct JudgeOptions {
   double every = 0.2;  ///< seconds of the source between two fresh surfaces, to the nearest frame
   double lag = 0.1;    ///< likewise until one is compared; it is waited for then, so that results repeat
   double gap = 2.0;    ///< standard deviations, Evidence::gap
-  /// Likewise, its root mean square over ten surfaces (two seconds): as improbable for a right overlay as
+  /// Likewise, its root mean square over the last ten surfaces (two seconds), or over all since the start if
+  /// there were fewer, with a limit that is higher accordingly: each as improbable for a right overlay as
   /// `gap` in one. That is chi-square's quantile of 99.9 % if 4.5 regions err on their own in each surface, a
-  /// number taken from `gap` and not measured. Right overlays of the real tissue reached 1.23.
+  /// number taken from `gap` and not measured. Of the limit right overlays of the real tissue reached 0.94.
   double mean_gap = 1.33;
-  double local = 3.2;            ///< standard deviations, Evidence::local
-  double behind = 0.06;          ///< share, Evidence::behind
-  double lifted = 0.06;          ///< share, Evidence::lifted
-  double pull = 6e-3;            ///< metres, Evidence::pull, where it is ...
-  double pull_sigmas = 3.0;      ///< ... also so many of its standard deviations
-  double supported = 0.7;        ///< Evidence::supported, of what it was at the start: less is covered
-  double least_supported = 0.1;  ///< at the start: less cannot be judged
+  double local = 3.2;        ///< standard deviations, Evidence::local
+  double behind = 0.06;      ///< share, Evidence::behind
+  double lifted = 0.06;      ///< share, Evidence::lifted
+  double pull = 6e-3;        ///< metres, Evidence::pull, where it is ...
+  double pull_sigmas = 3.0;  ///< ... also so many of its standard deviations
+  double missing = 0.4;  ///< Evidence::missing: more is covered. What a scope in a hand shows varies by 0.3.
+  double least_supported = 0.1;  ///< Evidence::supported: less cannot be judged
   double unknown = 10e-3;     ///< metres, Evidence::pull_sigma: what is seen does not tell where the organ is
   double before = 0.5;        ///< Evidence::before: more is covered, at the start, too
   double contrast = 0.55;     ///< Evidence::contrast

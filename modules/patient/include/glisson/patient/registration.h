@@ -144,6 +144,7 @@ bool is_followed(Validity validity);
 struct Evidence {
   bool judged = false;      ///< false: too early, or there are no pictures
   double supported = 0.0;   ///< share of the predicted organ's surface where fresh stereo sees it
+  double missing = 0.0;     ///< share by which that is less than of the same places before: what hides them
   double gap = 0.0;         ///< rms over regions of stereo's distance from that surface, standard deviations
   double local = 0.0;       ///< the same distance of one part of the organ, on which two regions agree
   double behind = 0.0;      ///< share of the predicted organ where stereo sees something farther away
