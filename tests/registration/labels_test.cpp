@@ -5,7 +5,9 @@
 
 #include "force_rows.h"
 #include "glisson/registration/error_model.h"
+#include "glisson/registration/rivals.h"
 #include "phantom.h"
+#include "unmarked.h"
 
 using namespace glisson;
 using namespace glisson::registration;
@@ -16,6 +18,9 @@ class LabelsTest : public QObject {
   void WhatLiesOnALandmarkLiesOnTheSurfaceToo();
   void LabelsMakeNothingLessSure();
   void ALandmarkThatTheModelLacksTellsNothing();
+  void AMarginThatIsSeenIsMarked();
+  void WhoMarksNothingLeavesOnePlaceOut();
+  void WhatIsLeftOutDoesNotDependOnTheFrame();
 
  private:
   LabelledCloud labelled() const {
@@ -35,6 +40,14 @@ class LabelsTest : public QObject {
     MovingSurface surface(model, SurfaceDetail::fine);
     surface.move(nodes);
     return find_rows(prepare_cloud(cloud, {}), surface, {3e-3, 6e-3, 0.2});
+  }
+
+  /// What a place of the margin that is left out costs, with a fifth of the points independent.
+  const double kPlace = 2.0 * votes_of_a_place(0.2) * std::log(5.0);
+  static double unmarked(const PatientModel& model, const Points& nodes, const LabelledCloud& cloud) {
+    MovingSurface surface(model, SurfaceDetail::fine);
+    surface.move(nodes);
+    return unmarked_cost(model, prepare_cloud(cloud, {}), surface, 0.2);
   }
 
   PatientModel model_ = phantom::model(9, 8, 4);
@@ -70,6 +83,55 @@ void LabelsTest::ALandmarkThatTheModelLacksTellsNothing() {
   const ForceRows with = rows_of(bare, nodes_, labelled()), without = rows_of(bare, nodes_, unlabelled());
   QCOMPARE(with.size(), without.size());
   QVERIFY(with.gap == without.gap);
+}
+
+void LabelsTest::AMarginThatIsSeenIsMarked() {
+  QCOMPARE(unmarked(model_, nodes_, unlabelled()), 0.0);
+  const double all = unmarked(model_, nodes_, labelled());
+  // Half of the marks are taken for surface.
+  LabelledCloud half = labelled();
+  const double middle = half.points.col(0).mean();
+  for (int i = 0; i < half.size(); ++i)
+    if (half.feature(i) == Feature::anterior_margin && half.points(i, 0) > middle)
+      half.features[static_cast<std::size_t>(i)] = Feature::surface;
+  QVERIFY(count(half, Feature::anterior_margin) > 5);
+  const double some = unmarked(model_, nodes_, half);
+  QVERIFY2(all < 0.2 * kPlace && some > kPlace, qPrintable(QString("%1 %2").arg(all).arg(some)));
+  PatientModel unsure = model_;
+  unsure.landmarks.margin_deviation =
+      Eigen::VectorXd::Constant(model_.landmarks.anterior_margin.rows(), 2.0 * kMarginSigma);
+  QVERIFY(std::abs(unmarked(unsure, nodes_, half) / some - 0.25) < 0.01);
+  PatientModel without = model_;
+  without.landmarks.anterior_margin.resize(0, 3);
+  QCOMPARE(unmarked(without, nodes_, half), 0.0);
+}
+
+void LabelsTest::WhoMarksNothingLeavesOnePlaceOut() {
+  LabelledCloud none = labelled();
+  none.features.assign(none.features.size(), Feature::surface);
+  QVERIFY(std::abs(unmarked(model_, nodes_, none) - kPlace) < 1e-9);
+  // Where the cloud shows no margin there is none to be marked.
+  std::vector<int> away;
+  for (int i = 0; i < none.size(); ++i)
+    if (labelled().feature(i) == Feature::surface) away.push_back(i);
+  const LabelledCloud inside = glisson::rows_of(none, away);
+  QVERIFY(unmarked(model_, nodes_, inside) < 0.5 * kPlace);
+}
+
+void LabelsTest::WhatIsLeftOutDoesNotDependOnTheFrame() {
+  LabelledCloud none = labelled();
+  for (int i = 0; i < none.size(); ++i)
+    if (none.points(i, 0) > none.points.col(0).mean())
+      none.features[static_cast<std::size_t>(i)] = Feature::surface;
+  const double here = unmarked(model_, nodes_, none);
+  Rigid<CameraFrame, CameraFrame> moved;
+  moved.rotation = rotation_by(Eigen::Vector3d(0.4, -1.0, 2.0));
+  moved.translation = Eigen::Vector3d(0.1, 0.2, -0.3);
+  LabelledCloud there = none;
+  there.points = moved.apply(none.points);
+  there.normals = none.normals * moved.rotation.transpose();
+  QVERIFY(here > 0.0);
+  QVERIFY(std::abs(unmarked(model_, moved.apply(nodes_), there) / here - 1.0) < 0.02);
 }
 
 QTEST_APPLESS_MAIN(LabelsTest)

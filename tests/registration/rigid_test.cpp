@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "cavity.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
+#include "lying_phantom.h"
 #include "phantom.h"
 
 using namespace glisson;
@@ -24,6 +26,10 @@ class RigidTest : public QObject {
   void SameSeedGivesSameBits();
   void WithoutLabelsItSaysSo();
   void CloudWithoutNormalsIsAligned();
+  void ALaparoscopeStandsBeforeOrBelowTheLiver_data();
+  void ALaparoscopeStandsBeforeOrBelowTheLiver();
+  void WhereItStandsDoesNotDependOnItsFrame();
+  void NoPlaceIsSeenFromBehindThePatient();
   void CancelIsObeyed();
   void TooFewPointsAreRefused();
   void UnusableOptionsAreRefused();
@@ -139,6 +145,73 @@ void RigidTest::CloudWithoutNormalsIsAligned() {
   LabelledCloud cloud = seen(pose, 0.3);
   cloud.normals.resize(0, 3);
   QVERIFY(error(align_rigid(model_, cloud, {}, RunContext())->camera_from_ct, pose) < 4e-3);
+}
+
+void RigidTest::ALaparoscopeStandsBeforeOrBelowTheLiver_data() {
+  QTest::addColumn<Eigen::Vector3d>("from");  // LPS
+  QTest::addColumn<bool>("can");
+  QTest::newRow("before") << Eigen::Vector3d(0, -1, 0) << true;
+  QTest::newRow("below") << Eigen::Vector3d(0, 0, -1) << true;
+  QTest::newRow("the patient's left") << Eigen::Vector3d(1, 0, 0) << true;
+  QTest::newRow("the patient's right") << Eigen::Vector3d(-1, 0, 0) << true;
+  QTest::newRow("below and behind") << Eigen::Vector3d(0, 1, -1) << true;
+  QTest::newRow("behind") << Eigen::Vector3d(0, 1, 0) << false;
+  QTest::newRow("above") << Eigen::Vector3d(0, 0, 1) << false;
+  QTest::newRow("behind and to the left") << Eigen::Vector3d(1, 1, 0) << false;
+}
+
+void RigidTest::ALaparoscopeStandsBeforeOrBelowTheLiver() {
+  QFETCH(Eigen::Vector3d, from);
+  QFETCH(bool, can);
+  const Eigen::Vector3d middle = model_.mesh.vertices.colwise().mean().transpose();
+  for (const double distance : {0.08, 0.2})
+    QCOMPARE(Cavity(model_).holds(Point<CtFrame>(middle + distance * from.normalized())), can);
+}
+
+void RigidTest::WhereItStandsDoesNotDependOnItsFrame() {
+  const PatientModel model = phantom::lying(9, 8, 4);
+  const Cavity cavity(model);
+  LabelledCloud cloud;
+  cloud.points = Points::Random(10, 3);
+  int held = 0;
+  for (int k = 0; k < 12; ++k) {
+    // The camera looks at the middle from all around.
+    CameraFromCt pose;
+    pose.rotation = rotation_by(Eigen::Vector3d(0.5 * k, 0.1, 0.0));
+    pose.translation =
+        Eigen::Vector3d(0, 0, 0.2) - pose.rotation * model.mesh.vertices.colwise().mean().transpose();
+    Rigid<CameraFrame, CameraFrame> moved;
+    moved.rotation = rotation_by(Eigen::Vector3d(0.4, -1.0, 2.0));
+    moved.translation = Eigen::Vector3d(0.1, 0.2, -0.3);
+    LabelledCloud elsewhere = cloud;
+    elsewhere.points = moved.apply(cloud.points);
+    elsewhere.eyes = moved.translation.transpose();
+    QCOMPARE(cavity.holds(moved * pose, elsewhere), cavity.holds(pose, cloud));
+    held += cavity.holds(pose, cloud) ? 1 : 0;
+  }
+  QVERIFY(held > 3 && held < 9);
+}
+
+void RigidTest::NoPlaceIsSeenFromBehindThePatient() {
+  const PatientModel model = phantom::lying(12, 9, 5), truth = phantom::lying(17, 14, 7);
+  const CameraFromCt pose = phantom::lying_view();
+  phantom::PatchOptions options;
+  options.share = 0.12;
+  options.noise = 1e-3;
+  LabelledCloud cloud = phantom::patch(truth, pose.apply(truth.mesh.vertices), options);
+  cloud.features.clear();
+  const Cavity cavity(model);
+  QVERIFY(cavity.holds(pose, cloud));
+  RigidOptions laparoscope;
+  laparoscope.from_cavity = true;
+  const auto behind = [&](const RigidOptions& rigid) {
+    const auto start = align_rigid(model, cloud, rigid, RunContext());
+    return std::count_if(start->alternatives.begin(), start->alternatives.end(),
+                         [&](const CameraFromCt& other) { return !cavity.holds(other, cloud); }) +
+           (cavity.holds(start->camera_from_ct, cloud) ? 0 : 100);
+  };
+  QVERIFY(behind({}) > 0);
+  QCOMPARE(behind(laparoscope), 0);
 }
 
 void RigidTest::CancelIsObeyed() {

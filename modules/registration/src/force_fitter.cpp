@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
 #include "looks.h"
+#include "unmarked.h"
 
 namespace glisson::registration {
 namespace {
@@ -163,13 +164,18 @@ double ForceFitter::apart(const CameraFromCt& pose, const Points& x) {
   return gaps.size() == 0 ? 0.0 : upper_median(std::vector<double>(gaps.begin(), gaps.end()));
 }
 
-ForceRows ForceFitter::pair(double sigma) {
+PreparedCloud ForceFitter::onto_model() {
   surface_.move(now_.x);
   PreparedCloud cloud = problem_.cloud;
   if (!now_.looks.empty()) move_looks(problem_.cloud.cloud, now_.looks, cloud.cloud);
   const CameraFromCt& pose = now_.pose;
   cloud.cloud.points = pose.inverse().apply(cloud.cloud.points);
   cloud.cloud.normals = cloud.cloud.normals * pose.rotation;
+  return cloud;
+}
+
+ForceRows ForceFitter::pair(double sigma) {
+  const PreparedCloud cloud = onto_model();
   const ContactForceOptions& o = problem_.options;
   const double shared = sigma / std::sqrt(o.information.value_or(1.0));
   return find_rows(cloud, surface_, {sigma, std::max(o.outlier_distance, 2.0 * shared), o.information});
@@ -409,6 +415,9 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     }
     if (motion < kAtRest) break;
   }
+  if (problem_.options.prior)
+    now_.law.log_evidence -= 0.5 * unmarked_cost(problem_.model, onto_model(), surface_,
+                                                 problem_.options.information.value_or(1.0));
   strongest_ = strongest(now_);
   now_.law.termination = motion < sigma    ? Termination::converged
                          : motion < before ? Termination::step_limit

@@ -68,6 +68,8 @@ class ForceFitter {
     double outlier_share = 0.0;
     int inverted = 0;
   };
+  /// Moves the surface to where the model is, and the cloud to it: CT frame.
+  PreparedCloud onto_model();
   ForceRows pair(double sigma);
   double energy(const Points& x, Points* gradient) const;
   /// @return false: cancelled.

@@ -222,6 +222,12 @@ class Run {
         context_(context),
         elastic_(elastic_of(options, model)) {
     elastic_.shape.threads = options_.threads;
+    // As the simulated operations, that the camera is a laparoscope needs a liver that lies in its CT. A hand
+    // may put the camera anywhere.
+    options_.rigid.from_cavity = elastic_.shape.from_cavity =
+        options_.rigid.from_cavity ||
+        (options_.start == RegisterOptions::Start::automatic && needs_prior(model_, options_, elastic_) &&
+         can_simulate_operations(model_));
     const bool from_camera = options_.start != RegisterOptions::Start::none;
     cloud_ = sound_cloud(cloud, from_camera, examined_.cloud_faults);
     for (LabelledCloud& look : options_.looks) look = sound_cloud(look, from_camera, examined_.cloud_faults);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 
+#include "cavity.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
 #include "glisson/core/statistics.h"
@@ -358,6 +359,7 @@ Cancellable<RigidStart> best_of(
     const PatientModel& model, const LabelledCloud& cloud, const RigidOptions& options,
     const RunContext& context,
     const std::function<CameraFromCt(int, const Points& normals, const PreparedCloud&)>& draw) {
+  constexpr int kRedraws = 20;
   options.validate();
   require(model.surface.mesh.triangle_count() > 0, "a model needs a surface to be aligned");
   CloudOptions cloud_options;
@@ -368,8 +370,16 @@ Cancellable<RigidStart> best_of(
   const std::vector<int> few = choose(prepared.cloud, 80), many = choose(prepared.cloud, 300),
                          all = choose(prepared.cloud, 1000);
 
+  const Cavity cavity(model);
+  const auto is_possible = [&](const Pose& pose) {
+    return !options.from_cavity || cavity.holds(pose.camera_from_ct, prepared.cloud);
+  };
   std::vector<Pose> poses;
-  for (int k = 0; k < options.starts; ++k) poses.push_back({draw(k, aligner.normals(), prepared), 0.0});
+  for (int k = 0; k < options.starts; ++k) {
+    poses.push_back({draw(k, aligner.normals(), prepared), 0.0});
+    for (int again = 0; again < kRedraws && !is_possible(poses.back()); ++again)
+      poses.back().camera_from_ct = draw(k, aligner.normals(), prepared);
+  }
   const auto refine = [&](const std::vector<int>& chosen, int iterations, double tangential, bool look,
                           const RunContext& part) {
     share_out(poses.size(), options.threads, [&](std::size_t k, bool here) {
@@ -378,6 +388,8 @@ Cancellable<RigidStart> best_of(
         part.progress(static_cast<double>(k) / static_cast<double>(poses.size()), "registration.rigid");
       poses[k].camera_from_ct = aligner.refine(poses[k].camera_from_ct, chosen, iterations, tangential);
       poses[k].cost = aligner.cost(poses[k].camera_from_ct, chosen, look);
+      // What no camera can see comes after all else.
+      if (!is_possible(poses[k])) poses[k].cost += kCap;
     });
   };
   refine(few, 10, 0.5, false, context.part(0.0, 0.7));

@@ -7,12 +7,14 @@
 #include <limits>
 #include <memory>
 
+#include "cavity.h"
 #include "force_rows.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/rivals.h"
 #include "looks.h"
+#include "unmarked.h"
 
 namespace glisson::registration {
 namespace {
@@ -52,6 +54,7 @@ class ShapeFitter {
   ShapeFitter(const PatientModel& model, const MovingSurface& surface, const OperationPrior& prior,
               const PreparedCloud& cloud, const ShapeStart& start, const ShapeFitOptions& options)
       : options_(options),
+        model_(model),
         prior_(prior),
         rest_(model.mesh.vertices),
         cloud_(cloud),
@@ -89,7 +92,7 @@ class ShapeFitter {
     judge_facing();
     pair();
     fit_.residual = mean_distance(pairs_);
-    fit_.cost = cost();
+    fit_.cost = cost() + unmarked_cost(model_, cloud_, surface_, options_.information);
     fit_.log_evidence = log_evidence();
     return fit_;
   }
@@ -259,6 +262,7 @@ class ShapeFitter {
   }
 
   const ShapeFitOptions& options_;
+  const PatientModel& model_;
   const OperationPrior& prior_;
   Points rest_;
   PreparedCloud cloud_;
@@ -345,6 +349,11 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
   for (const auto& fitter : fitters) fits.push_back(fitter->finish());
   std::stable_sort(fits.begin(), fits.end(),
                    [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
+  if (options.from_cavity) {
+    const Cavity cavity(model);
+    const auto is_impossible = [&](const ShapeFit& fit) { return !cavity.holds(fit.camera_from_ct, cloud); };
+    if (!std::all_of(fits.begin(), fits.end(), is_impossible)) std::erase_if(fits, is_impossible);
+  }
   const ShapeFit& best = fits.front();
   if (std::any_of(fits.begin(), fits.end(), [&](const ShapeFit& fit) {
         return fit.cost < best.cost + kRivalCost && are_rivals(fit.nodes_in_camera, best.nodes_in_camera);

@@ -19,6 +19,9 @@ struct RigidOptions {
   int starts = 200;            ///< seeded orientations tried
   double outlier_share = 0.1;  ///< of the points that are farthest off, left out of each fit, in [0, 0.9)
   int threads = 2;             ///< 1 or 2: the same bits
+  /// The model lies in its CT's frame as the patient does, and the camera is a laparoscope: it stands before
+  /// or below the liver, neither behind nor above it. Poses that say otherwise come after all others.
+  bool from_cavity = false;
   /// @throws InputError naming the option.
   void validate() const;
 };

@@ -17,6 +17,7 @@ struct ShapeFitOptions {
   /// the error of the model's surface, they do not average it away. In (0, 1].
   double information = 0.2;
   int max_iterations = 80;
+  bool from_cavity = false;  ///< as RigidOptions::from_cavity: ends that say otherwise are dropped for others
   int threads = 2;  ///< 1 or 2, for several fits: the same bits
   /// @throws InputError naming the option.
   void validate() const;
