@@ -114,6 +114,10 @@ void LabelsTest::WhoMarksNothingLeavesOnePlaceOut() {
   std::vector<int> away;
   for (int i = 0; i < none.size(); ++i)
     if (labelled().feature(i) == Feature::surface) away.push_back(i);
+  // Nor is anybody asked of tissue that was followed.
+  LabelledCloud followed = none;
+  followed.seen_from = Points::Zero(none.size(), 3);
+  QCOMPARE(unmarked(model_, nodes_, followed), 0.0);
   const LabelledCloud inside = glisson::rows_of(none, away);
   QVERIFY(unmarked(model_, nodes_, inside) < 0.5 * kPlace);
 }

@@ -39,7 +39,7 @@ bool is_on(const Points& line, const Eigen::RowVector3d& p) {
 double unmarked_cost(const PatientModel& model, const PreparedCloud& prepared, const MovingSurface& surface,
                      double information) {
   const LabelledCloud& cloud = prepared.cloud;
-  if (cloud.features.empty()) return 0.0;
+  if (cloud.features.empty() || cloud.seen_from.rows() > 0) return 0.0;
   std::vector<Eigen::RowVector3d> marks;
   for (int i = 0; i < cloud.size(); ++i)
     if (cloud.feature(i) == Feature::anterior_margin) marks.emplace_back(cloud.points.row(i));

@@ -18,7 +18,7 @@ struct ShapeFitOptions {
   double information = 0.2;
   int max_iterations = 80;
   bool from_cavity = false;  ///< as RigidOptions::from_cavity: ends that say otherwise are dropped for others
-  int threads = 2;  ///< 1 or 2, for several fits: the same bits
+  int threads = 2;           ///< 1 or 2, for several fits: the same bits
   /// @throws InputError naming the option.
   void validate() const;
 };
