@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fronts.h"
+#include "liver_start.h"
 #include "phantom_field.h"
 
 using namespace glisson;
@@ -46,6 +47,7 @@ class PartingTest : public QObject {
   void WhatMeetsInStripsIsARival();
   void ALobeBehindATumourIsDoubtful();
   void ALobeInPiecesIsDoubtfulAsOne();
+  void ATumourThatNobodyClickedIsNoNeck();
   void AClickInsideTakesWhatHangsByANeck();
   void ClicksOnBothSidesPartAtTheNarrowestPlace();
   void FrontsMeetInTheNeck();
@@ -124,6 +126,31 @@ void PartingTest::ALobeInPiecesIsDoubtfulAsOne() {
            qPrintable(QString::number(sides.doubtful_ml)));
   // What hangs on the piece by a thin rod is not of its body.
   QCOMPARE(joined_by(12.0, 12.0).doubtful_ml, 0.0);
+}
+
+void PartingTest::ATumourThatNobodyClickedIsNoNeck() {
+  // Two lobes of 113 ml and a waist as broad as they are. What is bitten out of the waist leaves less of it
+  // than joins a lobe. `hounsfield` of the bite; `aside` mm that its middle lies beside the waist's.
+  const auto lobe_is_owned = [&](double hounsfield, double waist, double aside) {
+    Field ct = field_;
+    std::mt19937 random(2);
+    std::normal_distribution<float> noise(0.0F, 3.0F);
+    const Mask liver = two_balls(ct, 100.0, 33.0, waist);
+    each_voxel(ct, [&](std::size_t at, const Eigen::Vector3d& p) {
+      const bool bite = (p - kLarge - Eigen::Vector3d(30, 0, aside)).norm() < 22.0;
+      ct.values[at] = static_cast<float>(bite ? hounsfield : liver.voxels[at] != 0 ? 108.0 : -95.0);
+    });
+    smooth(ct, 1.0);
+    for (float& value : ct.values) value += noise(random);
+    const Mask none = ct.empty_mask();
+    const auto start = find_start(ct, {ct, ct}, {{at_mm(30), at_mm(45)}, {}}, none, none, none, RunContext());
+    return side_at(ct, start->own, 108);
+  };
+  QCOMPARE(lobe_is_owned(108.0, 28.0, 6.0), 1);
+  QCOMPARE(lobe_is_owned(60.0, 28.0, 6.0), 1);
+  // Fat there is a fissure, and what leans on a waist is not enclosed.
+  QCOMPARE(lobe_is_owned(-95.0, 28.0, 6.0), 0);
+  QCOMPARE(lobe_is_owned(60.0, 20.0, 40.0), 0);
 }
 
 void PartingTest::AClickInsideTakesWhatHangsByANeck() {

@@ -12,7 +12,7 @@ namespace glisson::segmentation {
 /// tissue belongs to it where that is the better parting (see best_region()): where a body shares more of its
 /// border with the liver than with what lies beside it, edges counting little, and where the liver encloses
 /// it: from a tumour at the rim more than half of what is seen is liver, from a muscle or a stomach that
-/// leans on it less.
+/// leans on it less. Fluid has to be more deeply enclosed: a gallbladder lies in a bed.
 /// @param found the liver so far; what lies 4 mm deep in it stays. @param liver its parenchyma. @param like
 /// what looks like liver.
 /// @param own what of that is the liver's: the rest was parted from it at necks and seams, and stays so.

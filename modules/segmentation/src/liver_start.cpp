@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "bites.h"
 #include "fronts.h"
 #include "painting.h"
 #include "parting.h"
+#include "sight.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -16,6 +18,8 @@ constexpr double kNeck = 6.0;  // mm, half the width of the passages that the st
 constexpr double kSeamWidth = 2.2, kSeamTypical = 10.0;  // of the widest tissue; mm around a click
 constexpr double kSeamClosed = 2.0;                      // mm
 constexpr int kStartRounds = 2;
+constexpr double kBetween = 0.6, kOfEither = 0.1;  // of the view, within what two bodies enclose
+constexpr double kTumour = 4.0;                    // mm, half the width of a tumour that narrows a neck
 
 /// Tissue that could be liver: near its intensity, and the bright vessels enclosed by it.
 Mask liver_like(const Field& ct, const Tissue& tissue, double width, const Mask& barred,
@@ -89,6 +93,7 @@ Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const
   LiverStart result;
   result.doubtful = {sides->doubtful_ml,
                      view.ct.first_index + sides->doubtful.cast<double>().cwiseProduct(view.ct.step)};
+  result.perhaps = nearest(sides->perhaps, view.ct, ct);
   result.open = liver_like(ct, tissue, kLiverWidth, barred, included);
   result.rival = nearest(sides->rival, view.ct, ct);
   Mask own = closed(nearest(sides->own, view.ct, ct), kSeamClosed);
@@ -119,6 +124,26 @@ Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const
   return result;
 }
 
+/// Dark soft tissue that the liver and a body which may be a part of it enclose together: a tumour between
+/// them, most likely. Beside a stomach that lies against the liver and another organ less of the view is
+/// theirs.
+Mask between(const Field& ct, const Tissue& tissue, const LiverStart& start) {
+  Mask both = start.own;
+  for (std::size_t i = 0; i < both.voxels.size(); ++i)
+    if (start.perhaps.voxels[i] != 0) both.voxels[i] = 2;
+  const Mask hull = with_bites(both);
+  const Sight sight(ct, both);
+  const auto most = static_cast<float>(tissue.mean);
+  Mask dark = ct.empty_mask();
+  for (std::size_t i = 0; i < dark.voxels.size(); ++i) {
+    if (hull.voxels[i] == 0 || both.voxels[i] != 0 || !(ct.values[i] > kEmptyTissue && ct.values[i] < most))
+      continue;
+    const auto [liver, body] = sight.shares(i);
+    dark.voxels[i] = liver + body > kBetween && std::min(liver, body) > kOfEither;
+  }
+  return opened(dark, kTumour);
+}
+
 }  // namespace
 
 Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
@@ -141,6 +166,16 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
     parenchyma = seen;
     // The whole liver differs more than what was found of it.
     tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
+  }
+  if (parted.doubtful.ml > 0.0) {
+    // A tumour is no neck, though nobody has clicked it.
+    Mask perhaps = likely;
+    const Mask tumours = between(ct, tissue, parted);
+    for (std::size_t i = 0; i < perhaps.voxels.size(); ++i)
+      if (tumours.voxels[i] != 0) perhaps.voxels[i] = 1;
+    auto again = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, perhaps, context);
+    if (!again) return std::nullopt;
+    if (again->own.voxels[ct.offset(ct.voxel_of(parted.doubtful.at_index))] != 0) parted = std::move(*again);
   }
   parted.parenchyma = parenchyma;
   return parted;

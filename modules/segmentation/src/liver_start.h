@@ -26,16 +26,18 @@ struct Doubtful {
 
 /// Who owns the liver-like tissue.
 struct LiverStart {
-  Mask open;   ///< what looks like liver, anywhere
-  Mask own;    ///< what of it is the liver's
-  Mask start;  ///< what of that is wider than a neck: where the contour starts
-  Mask rival;  ///< what the clicks outside own
+  Mask open;     ///< what looks like liver, anywhere
+  Mask own;      ///< what of it is the liver's
+  Mask start;    ///< what of that is wider than a neck: where the contour starts
+  Mask rival;    ///< what the clicks outside own
+  Mask perhaps;  ///< the doubtful body
   Tissue parenchyma;
   Doubtful doubtful;
 };
 
 /// Robust statistics at the clicks; what looks like that is parted at its necks and seams (see
-/// part_at_necks()); once more with the statistics of what was found.
+/// part_at_necks()); once more with the statistics of what was found. A doubtful body is asked once more with
+/// the dark tissue that it and the liver enclose together: a tumour is no neck.
 /// @param barred, included known not to be liver, known to be.
 /// @param likely lesions, perhaps: where they lie between two parts of the liver they are no neck.
 Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,

@@ -227,7 +227,7 @@ class Parting {
         waiting.push_back(n);
       }
     }
-    Sides sides{ct_.empty_mask(), ct_.empty_mask()};
+    Sides sides{ct_.empty_mask(), ct_.empty_mask(), ct_.empty_mask()};
     tell_doubtful(walls, owned, volume, shared, sides);
     for (std::size_t i = 0; i < part_.size(); ++i) {
       if (part_[i] < 0) continue;
@@ -263,6 +263,10 @@ class Parting {
       sides.doubtful_ml = 1e-3 * volume[n];
       sides.doubtful = ct_.voxel_at(summit_[n]);
     }
+    if (!(sides.doubtful_ml > 0.0)) return;
+    const int body = bodies.of(part_[ct_.offset(sides.doubtful)]);
+    for (std::size_t i = 0; i < part_.size(); ++i)
+      sides.perhaps.voxels[i] = part_[i] >= 0 && bodies.of(part_[i]) == body;
   }
 
   int part_near(const Eigen::Vector3i& click) const {

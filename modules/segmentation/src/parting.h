@@ -15,8 +15,9 @@ Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical);
 
 /// Tissue that falls apart where it narrows.
 struct Sides {
-  Mask own;    ///< what belongs to the clicks inside
-  Mask rival;  ///< other parts that have a click, or are at least 5 mm deep
+  Mask own;      ///< what belongs to the clicks inside
+  Mask rival;    ///< other parts that have a click, or are at least 5 mm deep
+  Mask perhaps;  ///< the doubtful body, see below
   /// The largest body that nobody clicked (parts that share wide faces are one) and that hangs on what is
   /// owned by more than seams, though not widely: it may be a lobe behind a tumour as well as an organ that
   /// lies against it.
