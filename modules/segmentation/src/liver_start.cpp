@@ -169,13 +169,15 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
   }
   if (parted.doubtful.ml > 0.0) {
     // A tumour is no neck, though nobody has clicked it.
-    Mask perhaps = likely;
-    const Mask tumours = between(ct, tissue, parted);
-    for (std::size_t i = 0; i < perhaps.voxels.size(); ++i)
-      if (tumours.voxels[i] != 0) perhaps.voxels[i] = 1;
-    auto again = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, perhaps, context);
+    Mask tumours = between(ct, tissue, parted);
+    for (std::size_t i = 0; i < tumours.voxels.size(); ++i)
+      if (likely.voxels[i] != 0) tumours.voxels[i] = 1;
+    auto again = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, tumours, context);
     if (!again) return std::nullopt;
-    if (again->own.voxels[ct.offset(ct.voxel_of(parted.doubtful.at_index))] != 0) parted = std::move(*again);
+    long taken = 0;
+    for (std::size_t i = 0; i < tumours.voxels.size(); ++i)
+      taken += parted.perhaps.voxels[i] != 0 && again->own.voxels[i] != 0;
+    if (2 * taken > parted.perhaps.count()) parted = std::move(*again);
   }
   parted.parenchyma = parenchyma;
   return parted;
