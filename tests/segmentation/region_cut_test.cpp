@@ -59,6 +59,7 @@ class RegionCutTest : public QObject {
   void ALargeBiteIsFilledWhereTheLiverEnclosesIt();
   void ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot();
   void SpecksAsBrightAsTheLiverAreNoOrgan();
+  void WhatOnlyTheClicksTookForLiverIsNoOrgan();
   void ANotLiverClickKeepsTheTumourOut();
   void WhatWasPartedFromTheLiverStaysOut_data() { each_room(); }
   void WhatWasPartedFromTheLiverStaysOut();
@@ -195,6 +196,17 @@ void RegionCutTest::SpecksAsBrightAsTheLiverAreNoOrgan() {
     if (within(i, j, k, 12.0)) ++tumour, filled += whole.voxels[bitten.at(i, j, k)];
   });
   QCOMPARE(filled, tumour);
+}
+
+void RegionCutTest::WhatOnlyTheClicksTookForLiverIsNoOrgan() {
+  // Clicks that differ, as with one in a cyst, make a window so wide that the tumour looks like liver.
+  const Bitten bitten(20.0);
+  const Mask found = bitten.found(), nothing = bitten.ct.empty_mask(), like = where(bitten.ct, 40.0F, 130.0F);
+  const Mask whole = with_enclosed(bitten.ct, found, kLiver, like, found, nothing, nothing, nothing,
+                                   {{bitten.voxel(20, 20, 20)}, {}}, RunContext())
+                         .value();
+  QCOMPARE(int(whole.voxels[bitten.at(22, 35, 22)]), 1);
+  QCOMPARE(int(whole.voxels[bitten.at(50, 20, 22)]), 0);
 }
 
 void RegionCutTest::ANotLiverClickKeepsTheTumourOut() {

@@ -45,7 +45,12 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
   Mask open = with_bites(found);
   if (context.cancelled()) return std::nullopt;
   const Mask deep = eroded(found, kDeep);
-  const Mask specks = specks_of(like, own);
+  // What was found of the liver says better how dark it is than a few clicks did, one of them in a cyst.
+  Mask alike = like;
+  const auto darkest = static_cast<float>(liver.mean - kLiverWidth * std::max(liver.sigma, kDrift));
+  for (std::size_t i = 0; i < alike.voxels.size(); ++i)
+    if (ct.values[i] < darkest) alike.voxels[i] = 0;
+  const Mask specks = specks_of(alike, own);
   const Sight sight(ct, found);
   const auto unlike = [&](std::size_t at) {
     const bool is_fluid = ct.values[at] < kFluid;
@@ -58,11 +63,11 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
   for (std::size_t i = 0; i < reward.size(); ++i) {
     if (found.voxels[i] != 0 || likely.voxels[i] != 0)
       reward[i] = kFound;
-    else if (open.voxels[i] != 0 && (like.voxels[i] == 0 || specks.voxels[i] != 0))
+    else if (open.voxels[i] != 0 && (alike.voxels[i] == 0 || specks.voxels[i] != 0))
       reward[i] = unlike(i);
     if (deep.voxels[i] != 0 || included.voxels[i] != 0) reward[i] = kKnown;
     // A speck in the middle of a tumour is its noise.
-    const bool parted = like.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] <= 0.0F;
+    const bool parted = alike.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] <= 0.0F;
     if (barred.voxels[i] != 0 || parted) reward[i] = -kKnown;
     open.voxels[i] = (open.voxels[i] != 0 && ct.values[i] > kEmptyTissue) || reward[i] == kKnown;
   }

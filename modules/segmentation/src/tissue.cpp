@@ -11,8 +11,6 @@ namespace glisson::segmentation {
 namespace {
 
 constexpr double kSeedRadius = 6.0;  // mm, where a click's statistics are taken
-/// HU that a liver differs from one end to the other (perfusion, hardened beams).
-constexpr double kDrift = 8.0;
 
 Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_sigma) {
   Tissue tissue;

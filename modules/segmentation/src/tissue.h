@@ -12,6 +12,8 @@ struct Tissue {
 
 inline constexpr double kLeastLiverSigma = 3.0, kMostLiverSigma = 15.0;  // HU, after denoising
 inline constexpr float kEmptyTissue = -30.0F;                            // HU: fat, lung and gas are darker
+/// HU that a liver differs from one end to the other (perfusion, hardened beams).
+inline constexpr double kDrift = 8.0;
 inline constexpr double kVesselWidth = 5.0;  // mm, closed over in the liver-like tissue
 
 /// @throws InputError an empty image, or no CT.
