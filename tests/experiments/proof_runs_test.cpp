@@ -11,6 +11,9 @@
 #include "live_proof.h"
 #include "patient_proof.h"
 #include "pulled_proof.h"
+#include "registration_joined.h"
+#include "registration_looks.h"
+#include "registration_trials.h"
 #include "stereo_proof.h"
 
 using namespace glisson;
@@ -49,9 +52,10 @@ class ProofRunsTest : public QObject {
   void OrgansArePulled();
   void AnAtlasForetellsLivers();
   void LandmarksOfEachSourceAreRegistered();
-  void PicturesBecomeClouds();
   void TheOverlayStaysWithoutAFault();
   void APatientGoesFromTheCtToTheModel();
+  void LooksAreHeldAgainstTheTruth();
+  void ARegistrationsTrialsThatAreThereAreNotMadeAgain();
   void CancelGivesNothing();
   void WrongOptionsAreRefused();
 };
@@ -102,21 +106,6 @@ void ProofRunsTest::LandmarksOfEachSourceAreRegistered() {
     QVERIFY(effect->figures.at(std::string("effect_") + landmark_source_code(source) + "_told") <= 1.0);
 }
 
-void ProofRunsTest::PicturesBecomeClouds() {
-  const TemporaryFolder folder;
-  StereoProofOptions options;
-  options.only = "near";
-  const auto proof = prove_stereo(options, folder.path(), RunContext());
-  QVERIFY(proof);
-  QCOMPARE(not_measured(stereo_aims(), proof->figures), QStringList());
-  QCOMPARE(proof->absent.size(), std::size_t{3});
-  QCOMPARE(proof->table.size(), std::size_t{3});  // heads, features, dense
-  for (const char* method : {"sparse", "dense"})
-    QVERIFY(proof->figures.at(std::string("theatre_near_") + method + "_points") > 100.0);
-  QVERIFY(proof->figures.at("theatre_near_sparse_median_mm") < 0.5);
-  QCOMPARE(std::ranges::count(read_file(folder.path() / "theatre.csv"), '\n'), 3);
-}
-
 void ProofRunsTest::TheOverlayStaysWithoutAFault() {
   const TemporaryFolder folder;
   LiveProofOptions options;
@@ -153,6 +142,52 @@ void ProofRunsTest::APatientGoesFromTheCtToTheModel() {
   QVERIFY(proof->figures.at("trial_synthetic_dice_liver_worst") > 0.85);
   QCOMPARE(proof->table.size(), std::size_t{2});
   QVERIFY(fs::exists(folder.path() / "synthetic/patient.glisson/case.json"));
+}
+
+void ProofRunsTest::LooksAreHeldAgainstTheTruth() {
+  auto stage = build_stage(proof_patients().front(), {}, 1, RunContext());
+  QVERIFY(stage);
+  stage->handled.erase(stage->handled.begin() + 1, stage->handled.end());
+  for (const LookTrial& trial : try_looks(*stage, 0, {}, RunContext())) {
+    QVERIFY(trial.promised < trial.expected && trial.promised > 0.0);
+    QVERIFY(trial.error > 0.0 && trial.after > 0.0 && trial.after_other > 0.0);
+    QVERIFY(trial.error < 0.1 && trial.after < 0.1);
+  }
+  const std::vector<JoinedTrial> trials = try_joined(*stage, 0, {}, RunContext());
+  QCOMPARE(trials.size(), std::size_t{1});
+  const JoinedTrial& trial = trials.front();
+  QVERIFY(trial.alone.seen > 0.1 && trial.alone.seen < 0.35);
+  QVERIFY2(trial.joined.seen > trial.alone.seen,
+           qPrintable(QString("%1, %2").arg(trial.alone.seen).arg(trial.joined.seen)));
+  QVERIFY(!trial.joined.told && trial.joined.error < 30e-3);
+}
+
+void ProofRunsTest::ARegistrationsTrialsThatAreThereAreNotMadeAgain() {
+  const TemporaryFolder folder, before;
+  const ProofPatient& patient = proof_patients().front();
+  RegistrationProofOptions options;
+  options.only = patient.name;
+  options.shares = {0.3};
+  options.former = before.path();
+  TrialLog log(before.path() / "registration_1.csv");
+  for (const insilico::Handling handling : insilico::kHandlings)
+    for (const RegistrationFault fault : kRegistrationFaults) {
+      RegistrationTrial trial;
+      trial.patient = patient.name;
+      trial.set = patient.set;
+      trial.handling = insilico::handling_code(handling);
+      trial.share = 0.3;
+      trial.fault = fault;
+      trial.mean = 2e-3;
+      trial.lesions = {3e-3, 3e-3, 3e-3};
+      trial.rigid_mean = 5e-3;
+      trial.refused = fault != RegistrationFault::none;
+      log.add(trial);
+    }
+  const auto proof = prove_registration(options, folder.path(), RunContext());
+  QVERIFY(proof && proof->absent.empty());
+  QVERIFY(std::abs(proof->figures.at("registration_development_30_mean_mm") - 2.0) < 1e-3);
+  QVERIFY(fs::is_empty(folder.path()));  // nothing was added
 }
 
 void ProofRunsTest::CancelGivesNothing() {

@@ -7,11 +7,13 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/script.h"
 #include "glisson/volume/io.h"
 #include "kill_trial.h"
+#include "small_case.h"
 #include "soak_film.h"
 #include "soak_run.h"
 
@@ -30,10 +32,30 @@ class SoakTest : public QObject {
   void TheFilmTurnsRoundWithoutAJump();
   void LossesAreCountedInSpells();
   void NothingDoneProvesNothing();
+  void EditsAreMadeAndUndone();
+  void FramesNeedAVideo();
   void WrongOptionsAreRefused();
   void AProgramThatFailsInPeaceIsNoTrial();
 
  private:
+  /// A case whose labels lie around its model.
+  static std::filesystem::path labelled_case(const std::filesystem::path& folder) {
+    engine::CaseState state = test::small_case();
+    VolumeGrid grid;
+    grid.size = {20, 20, 20};
+    grid.spacing_mm = {10.0, 10.0, 10.0};
+    auto image = std::make_shared<Image>();
+    image->grid = grid;
+    image->voxels = std::make_shared<std::vector<std::int16_t>>(static_cast<std::size_t>(grid.voxel_count()));
+    state[engine::part::image] = image;
+    auto labels = std::make_shared<LabelMap>(*state[engine::part::labels]);
+    labels->voxels = LabelVolume(grid);
+    labels->voxels.set({8, 8, 8}, structure::kParenchyma);
+    state[engine::part::labels] = labels;
+    const std::filesystem::path path = folder / "a.glisson";
+    if (!engine::save_case(path, state, RunContext())) throw PreconditionError("the case is not saved");
+    return path;
+  }
   /// After `times` of work, each of which leaves so much behind. Once a second for a day.
   static SoakRun after(int times, double megabytes_each, double descriptors_each = 0.0) {
     const auto n = std::make_shared<int>(0);
@@ -140,6 +162,33 @@ void SoakTest::NothingDoneProvesNothing() {
   options.frames = options.opens = options.edits = 0;
   const auto result = soak(options, folder.path(), {}, RunContext());
   QVERIFY(result && !result->passed);
+}
+
+void SoakTest::EditsAreMadeAndUndone() {
+  const TemporaryFolder folder;
+  SoakOptions options;
+  options.patient = labelled_case(folder.path());
+  options.frames = options.opens = 0;
+  options.edits = 3;
+  const auto result = soak(options, folder.path(), {}, RunContext());
+  QVERIFY(result && !result->passed);  // three say nothing
+  QCOMPARE(result->figures.at("soak_edits"), 3.0);
+  QVERIFY(result->figures.contains("seconds_edit_labels") && result->figures.contains("seconds_undo_labels"));
+  QVERIFY(result->page.find("| edits | 3 |") != std::string::npos);
+  QVERIFY(result->page.find("opens_and_saves |") == std::string::npos);
+  // A cancel ends it without a page.
+  const auto flag = std::make_shared<CancelFlag>();
+  flag->request();
+  QVERIFY(!soak(options, folder.path(), {}, RunContext({}, flag, 1)));
+}
+
+void SoakTest::FramesNeedAVideo() {
+  const TemporaryFolder folder;
+  SoakOptions options;
+  options.patient = labelled_case(folder.path());
+  options.frames = 2;
+  options.opens = options.edits = 0;
+  QVERIFY_THROWS_EXCEPTION(Error, soak(options, folder.path(), {}, RunContext()));
 }
 
 void SoakTest::WrongOptionsAreRefused() {
