@@ -6,7 +6,9 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/stereo/picture_io.h"
+#include "known_pair.h"
 #include "real_pairs.h"
 #include "stereo_proof.h"
 #include "stereo_theatre.h"
@@ -60,6 +62,32 @@ StereoRig small_rig() {
   return rig;
 }
 
+/// What a depth map shows, of every fourth pixel.
+TriangleMesh surface_of(const std::vector<float>& depth, const Camera& camera) {
+  constexpr int kStep = 4;
+  const int columns = camera.width / kStep, rows = camera.height / kStep;
+  const auto depth_at = [&](int i, int j) {
+    return depth[static_cast<std::size_t>(kStep * (j * camera.width + i))];
+  };
+  TriangleMesh mesh;
+  mesh.vertices.resize(columns * rows, 3);
+  std::vector<Eigen::RowVector3i> faces;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const Eigen::Vector3d pixel(kStep * i, kStep * j, 1.0);
+      mesh.vertices.row(j * columns + i) = depth_at(i, j) * (camera.matrix.inverse() * pixel).transpose();
+      if (i + 1 == columns || j + 1 == rows) continue;
+      const int a = j * columns + i, b = a + 1, c = a + columns, d = c + 1;
+      if (std::min({depth_at(i, j), depth_at(i + 1, j), depth_at(i, j + 1), depth_at(i + 1, j + 1)}) <= 0.0F)
+        continue;
+      faces.emplace_back(a, b, c);
+      faces.emplace_back(b, d, c);
+    }
+  mesh.triangles.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) mesh.triangles.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return mesh;
+}
+
 }  // namespace
 
 class PicturesOfOthersTest : public QObject {
@@ -72,6 +100,7 @@ class PicturesOfOthersTest : public QObject {
   void FineContrastFades();
   void HighlightsAreElsewhereForAnotherSeed();
   void DotsLieOverTheGreyPicture();
+  void ASetIsMeasuredAgainstItsSurface();
   void WhatTheTheatreShowsIsMeasured();
 };
 
@@ -82,7 +111,7 @@ void PicturesOfOthersTest::TheSetsMaskLeavesOutWhatItMarks() {
   stereo::write_picture(folder.path() / (start + "IMG_right.bmp"), plain(110, 3));
   stereo::write_picture(folder.path() / (start + "MASK_left.png"), left_half());
   stereo::write_picture(folder.path() / (start + "MASK_eval.png"), plain(0));
-  test::write_text_calibration(folder.path(), small_rig());
+  glisson::test::write_text_calibration(folder.path(), small_rig());
   const RealPair tissue = opencas(folder.path(), OpencasPart::tissue);
   QCOMPARE(byte_at(tissue.left, 5, 5), 90);
   QCOMPARE(byte_at(tissue.right, 5, 5), 110);
@@ -99,7 +128,7 @@ void PicturesOfOthersTest::TheHeartsMaskSaysWhatIsHeart() {
   stereo::write_picture(folder.path() / "f7_dynamic_deint_L_0100.png", plain(90, 3));
   stereo::write_picture(folder.path() / "f7_dynamic_deint_R_0100.png", plain(110, 3));
   stereo::write_picture(folder.path() / "f7_dynamic_deint_mask_0100.png", left_half());
-  test::write_text_calibration(folder.path(), small_rig());
+  glisson::test::write_text_calibration(folder.path(), small_rig());
   const RealPair pair = heart(folder.path());
   QCOMPARE(byte_at(pair.mask, 5, 5), 255);
   QCOMPARE(byte_at(pair.mask, kWidth - 5, 5), 0);
@@ -108,7 +137,7 @@ void PicturesOfOthersTest::TheHeartsMaskSaysWhatIsHeart() {
 
 void PicturesOfOthersTest::ASetThatLacksAFileIsRefused() {
   const TemporaryFolder folder;
-  test::write_text_calibration(folder.path(), small_rig());
+  glisson::test::write_text_calibration(folder.path(), small_rig());
   QVERIFY_THROWS_EXCEPTION(Error, heart(folder.path()));
   QVERIFY_THROWS_EXCEPTION(Error, opencas(folder.path(), OpencasPart::tissue));
 }
@@ -153,6 +182,50 @@ void PicturesOfOthersTest::DotsLieOverTheGreyPicture() {
     const int grey = byte_at(drawn, 50, 40, 0);
     QVERIFY(grey > 60 && grey == byte_at(drawn, 50, 40, 1) && grey == byte_at(drawn, 50, 40, 2));
   }
+}
+
+/// A pair whose depth is known, laid down as the two sets lie.
+void PicturesOfOthersTest::ASetIsMeasuredAgainstItsSurface() {
+  const TemporaryFolder data, pictures;
+  const experiments::test::KnownPair known = experiments::test::known_pair();
+  const fs::path liver = data.path() / "stereo_opencas", silicone = data.path() / "stereo_heart";
+  for (const fs::path& folder : {liver, silicone}) {
+    fs::create_directory(folder);
+    glisson::test::write_text_calibration(folder, known.pair.rig);
+  }
+  Picture marked = known.pair.mask;
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*marked.bytes);
+  for (std::uint8_t& byte : *bytes) byte = byte == 0 ? 255 : 0;
+  marked.bytes = bytes;
+  const std::string start = "Stereo_SD_d_complete_22_";
+  stereo::write_picture(liver / (start + "IMG_left.bmp"), known.pair.left);
+  stereo::write_picture(liver / (start + "IMG_right.bmp"), known.pair.right);
+  stereo::write_picture(liver / (start + "MASK_eval.png"), marked);
+  write_triangle_mesh(liver / (start + "CT_cut.stl"), surface_of(known.depth, known.pair.rig.left),
+                      LengthUnit::millimetre);
+  stereo::write_picture(silicone / "f7_dynamic_deint_L_0100.png", known.pair.left);
+  stereo::write_picture(silicone / "f7_dynamic_deint_R_0100.png", known.pair.right);
+  stereo::write_picture(silicone / "f7_dynamic_deint_mask_0100.png", known.pair.mask);
+  StereoProofOptions options;
+  options.data = data.path();
+  options.theatre = false;
+  const auto proof = prove_stereo(options, pictures.path(), RunContext());
+  QVERIFY(proof);
+  QCOMPARE(proof->absent, std::vector<std::string>{"stereo_chessboard"});
+  const Figures& figures = proof->figures;
+  for (const char* way : {"sparse", "dense"}) {
+    const std::string key = std::string("opencas_") + way + "_";
+    QVERIFY(figures.at(key + "points") > 100.0);
+    QVERIFY2(figures.at(key + "median_mm") < 0.4, qPrintable(QString::number(figures.at(key + "median_mm"))));
+    QVERIFY(figures.at(key + "within_3mm_share") > 0.95);
+    QVERIFY(figures.at(key + "without_offset_median_mm") < 0.4);
+    QCOMPARE(figures.at(std::string("heart_") + way + "_points"), figures.at(key + "points"));
+    for (const char* what : {"errors.png", "density.png"})
+      QCOMPARE(stereo::read_picture(pictures.path() / (key + what)).width, known.pair.left.width);
+  }
+  QVERIFY(std::abs(figures.at("opencas_common_offset_mm")) < 0.2);
+  QVERIFY(figures.at("heart_sparse_epipolar_rms_px") < 0.8);
+  QCOMPARE(figures.at("heart_faults"), 0.0);
 }
 
 void PicturesOfOthersTest::WhatTheTheatreShowsIsMeasured() {
