@@ -58,7 +58,6 @@ class RegionCutTest : public QObject {
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot();
   void ALargeBiteIsFilledWhereTheLiverEnclosesIt();
   void ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot();
-  void SpecksAsBrightAsTheLiverAreNoOrgan();
   void WhatOnlyTheClicksTookForLiverIsNoOrgan();
   void ANotLiverClickKeepsTheTumourOut();
   void WhatWasPartedFromTheLiverStaysOut_data() { each_room(); }
@@ -166,36 +165,6 @@ void RegionCutTest::ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot() {
   // The liver's face is at 74 mm: a sixth of the cyst's surface is free, of the gallbladder's 60 %.
   QCOMPARE(middle_of(60.0), 1);
   QCOMPARE(middle_of(78.0), 0);
-}
-
-void RegionCutTest::SpecksAsBrightAsTheLiverAreNoOrgan() {
-  // A tumour at the rim, one voxel in ten of which is in the liver's window by noise and was parted from it.
-  Bitten bitten(20.0, 0.0);
-  const auto within = [](int i, int j, int k, double mm) {
-    return (Eigen::Vector3d(i, j, k) * Bitten::kVoxel - Eigen::Vector3d(46, 58, 46)).norm() < mm;
-  };
-  const auto each = [](const auto& visit) {
-    for (int k = 0; k < 50; ++k)
-      for (int j = 0; j < 50; ++j)
-        for (int i = 0; i < 60; ++i) visit(i, j, k);
-  };
-  each([&](int i, int j, int k) {
-    if (within(i, j, k, 20.0)) bitten.ct.values[bitten.at(i, j, k)] = 60.0F;
-  });
-  const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
-  Mask like = found;
-  std::mt19937 random(1);
-  each([&](int i, int j, int k) {
-    if (within(i, j, k, 14.0) && random() % 10 == 0) like.voxels[bitten.at(i, j, k)] = 1;
-  });
-  const Mask whole = with_enclosed(bitten.ct, found, kLiver, like, found, nothing, nothing, nothing,
-                                   {{bitten.voxel(10, 8, 10)}, {}}, RunContext())
-                         .value();
-  long tumour = 0, filled = 0;
-  each([&](int i, int j, int k) {
-    if (within(i, j, k, 12.0)) ++tumour, filled += whole.voxels[bitten.at(i, j, k)];
-  });
-  QCOMPARE(filled, tumour);
 }
 
 void RegionCutTest::WhatOnlyTheClicksTookForLiverIsNoOrgan() {

@@ -11,9 +11,8 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kSpeck = 1000.0;  // mm^3: less of a liver's grey is a tumour's noise, no other organ
-constexpr double kDeep = 4.0;      // mm below the border of the liver found so far
-constexpr float kFluid = 25.0F;    // HU below which a body at the rim may be a gallbladder or ascites
+constexpr double kDeep = 4.0;    // mm below the border of the liver found so far
+constexpr float kFluid = 25.0F;  // HU below which a body at the rim may be a gallbladder or ascites
 /// Of what is seen from a place, from which on it is rather enclosed than beside the liver. A gallbladder in
 /// its bed, or fluid around the liver, is seen from a half at most; most of a cyst at the rim is deeper.
 constexpr double kEnclosed = 0.5, kEnclosedFluid = 0.65;
@@ -21,21 +20,6 @@ constexpr double kEnclosed = 0.5, kEnclosedFluid = 0.65;
 /// vessels and kidneys are; and what is fluid.
 constexpr float kFound = 0.1F, kEnclosing = 0.1F, kLeastUnlike = -0.01F, kMostUnlike = 0.03F,
                 kBright = -0.01F, kUnlikeFluid = -0.1F;
-
-/// Specks of liver-like tissue that is not the liver's.
-Mask specks_of(const Mask& like, const Mask& own) {
-  Mask specks = like;
-  for (std::size_t i = 0; i < specks.voxels.size(); ++i)
-    if (own.voxels[i] != 0) specks.voxels[i] = 0;
-  std::vector<long> sizes;
-  const std::vector<int> number = connected_components(specks, sizes);
-  const double voxel_mm3 = specks.spacing_mm.prod();
-  for (std::size_t i = 0; i < number.size(); ++i)
-    if (number[i] > 0 &&
-        static_cast<double>(sizes[static_cast<std::size_t>(number[i]) - 1]) * voxel_mm3 >= kSpeck)
-      specks.voxels[i] = 0;
-  return specks;
-}
 
 }  // namespace
 
@@ -50,7 +34,6 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
   const auto darkest = static_cast<float>(liver.mean - kLiverWidth * std::max(liver.sigma, kDrift));
   for (std::size_t i = 0; i < alike.voxels.size(); ++i)
     if (ct.values[i] < darkest) alike.voxels[i] = 0;
-  const Mask specks = specks_of(alike, own);
   const Sight sight(ct, found);
   const auto unlike = [&](std::size_t at) {
     const bool is_fluid = ct.values[at] < kFluid;
@@ -63,11 +46,10 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
   for (std::size_t i = 0; i < reward.size(); ++i) {
     if (found.voxels[i] != 0 || likely.voxels[i] != 0)
       reward[i] = kFound;
-    else if (open.voxels[i] != 0 && (alike.voxels[i] == 0 || specks.voxels[i] != 0))
+    else if (alike.voxels[i] == 0 && open.voxels[i] != 0)
       reward[i] = unlike(i);
     if (deep.voxels[i] != 0 || included.voxels[i] != 0) reward[i] = kKnown;
-    // A speck in the middle of a tumour is its noise.
-    const bool parted = alike.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] <= 0.0F;
+    const bool parted = alike.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] == 0.0F;
     if (barred.voxels[i] != 0 || parted) reward[i] = -kKnown;
     open.voxels[i] = (open.voxels[i] != 0 && ct.values[i] > kEmptyTissue) || reward[i] == kKnown;
   }
