@@ -32,8 +32,8 @@ QStringList not_measured(const std::vector<Aim>& aims, const Figures& figures,
                          const std::string& besides = {}) {
   QStringList names;
   for (const Aim& aim : aims)
-    if (aim.evidence == Evidence::in_silico && (besides.empty() || !aim.key.starts_with(besides)) &&
-        verdict(aim, figures) == Verdict::not_measured)
+    if (aim.evidence == experiments::Evidence::in_silico &&
+        (besides.empty() || !aim.key.starts_with(besides)) && verdict(aim, figures) == Verdict::not_measured)
       names << QString::fromStdString(aim.key);
   return names;
 }

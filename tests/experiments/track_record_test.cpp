@@ -5,6 +5,8 @@
 #include <QTest>
 
 #include "glisson/core/files.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/patient/overlay_record.h"
 #include "phantom.h"
 
 using namespace glisson;
@@ -15,6 +17,7 @@ class TrackRecordTest : public QObject {
  private slots:
   void MeshesTellOfTheRegistrationThatIsFollowed();
   void AFrameIsLateByTheSourcesOwnRate();
+  void WhatAPersonAndTheProgramDidIsCountedAndWritten();
 };
 
 void TrackRecordTest::MeshesTellOfTheRegistrationThatIsFollowed() {
@@ -62,6 +65,47 @@ void TrackRecordTest::AFrameIsLateByTheSourcesOwnRate() {
     record.finish(true);
     QCOMPARE(record.figures().at("frames_late"), late);
   }
+}
+
+void TrackRecordTest::WhatAPersonAndTheProgramDidIsCountedAndWritten() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  Registration start;
+  start.camera_from_ct = phantom::view();
+  start.nodes_in_camera = phantom::view().apply(model.mesh.vertices);
+  const TemporaryFolder folder;
+  TrackOutput output;
+  output.folder = folder.path();
+  TrackRecord record(model, start, output);
+  OverlayFrame overlay;
+  overlay.validity = Validity::partly_covered;
+  overlay.mask.emplace();
+  overlay.mask->held_out = 7;
+  LesionVerdict lesion;
+  lesion.lesion = structure::kFirstLesion;
+  lesion.level = Level::degraded;
+  overlay.lesions = {lesion};
+  record.add(0, overlay);
+  record.add(1, overlay);
+  record.add(CorrectionMade{{}, 1, 0.033, 2e-3});
+  overlay.index = 1;
+  record.add_undone(overlay);
+  record.add(AgainLine{1, 0.033, true, 5e-3, 2e-3, 3e-3});
+  record.add(AgainLine{1, 0.066, false, 2e-3, 4e-3, 3e-3});
+  record.finish(false);
+  const Figures figures = record.figures();
+  for (const auto& [key, value] : {std::pair{"frames_partly_covered", 2.0},
+                                   {"frames_with_mask", 2.0},
+                                   {"points_held_out", 14.0},
+                                   {"lesion_1_frames_degraded", 2.0},
+                                   {"corrections", 1.0},
+                                   {"corrections_undone", 1.0},
+                                   {"registered_again", 2.0},
+                                   {"registered_again_taken", 1.0},
+                                   {"complete", 0.0}})
+    QVERIFY2(figures.contains(key) && figures.at(key) == value, key);
+  const OverlayRecord written = read_overlay_record(folder.path() / "frames.jsonl");
+  QCOMPARE(written.frames.size(), std::size_t{2});
+  QVERIFY(!written.complete);
 }
 
 QTEST_GUILESS_MAIN(TrackRecordTest)
