@@ -49,7 +49,8 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Tissue
     else if (alike.voxels[i] == 0 && open.voxels[i] != 0)
       reward[i] = unlike(i);
     if (deep.voxels[i] != 0 || included.voxels[i] != 0) reward[i] = kKnown;
-    const bool parted = alike.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] == 0.0F;
+    // Darker than that it stays parted where it is not enclosed.
+    const bool parted = like.voxels[i] != 0 && own.voxels[i] == 0 && !(reward[i] > 0.0F);
     if (barred.voxels[i] != 0 || parted) reward[i] = -kKnown;
     open.voxels[i] = (open.voxels[i] != 0 && ct.values[i] > kEmptyTissue) || reward[i] == kKnown;
   }
