@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -18,22 +20,43 @@ struct KnownPair {
   std::vector<float> depth;  ///< metres along the axis, a value a pixel of the left picture
 };
 
-/// The middle quarter of a picture: there tissue fills it.
-template <class T>
-std::vector<T> middle_of(const std::vector<T>& values, int width, int height, int channels) {
-  std::vector<T> middle;
-  for (int y = height / 4; y < 3 * height / 4; ++y) {
-    const auto row = values.begin() + static_cast<std::ptrdiff_t>(y) * width * channels;
-    middle.insert(middle.end(), row + static_cast<std::ptrdiff_t>(width / 4) * channels,
-                  row + static_cast<std::ptrdiff_t>(3 * width / 4) * channels);
+/// A quarter of a picture, in which tissue leaves a little room for its outline.
+struct Window {
+  int x = 0, y = 0, width = 0, height = 0;
+
+  /// The one nearest to the middle with at least the share kTissue of it.
+  /// @param depth one value a pixel, 0: no tissue. @param width, height of the picture.
+  static Window of_tissue(const std::vector<float>& depth, int width, int height) {
+    constexpr int kSteps = 12;
+    constexpr double kTissue = 0.9;
+    Window best;
+    int nearest = 4 * kSteps;
+    for (int j = 0; j <= kSteps; ++j)
+      for (int i = 0; i <= kSteps; ++i) {
+        const Window window{i * width / (2 * kSteps), j * height / (2 * kSteps), width / 2, height / 2};
+        const std::vector<float> inside = window.part(depth, width, 1);
+        const auto tissue = std::count_if(inside.begin(), inside.end(), [](float z) { return z > 0.0F; });
+        const int away = std::abs(2 * i - kSteps) + std::abs(2 * j - kSteps);
+        if (away < nearest && static_cast<double>(tissue) >= kTissue * static_cast<double>(inside.size()))
+          nearest = away, best = window;
+      }
+    return best;
   }
-  return middle;
-}
-inline Picture middle_of(const Picture& picture) {
-  return {picture.width / 2, picture.height / 2, picture.channels,
-          std::make_shared<std::vector<std::uint8_t>>(
-              middle_of(*picture.bytes, picture.width, picture.height, picture.channels))};
-}
+  template <class T>
+  std::vector<T> part(const std::vector<T>& values, int whole_width, int channels) const {
+    std::vector<T> inside;
+    for (int row = y; row < y + height; ++row) {
+      const auto from = values.begin() + (static_cast<std::ptrdiff_t>(row) * whole_width + x) * channels;
+      inside.insert(inside.end(), from, from + static_cast<std::ptrdiff_t>(width) * channels);
+    }
+    return inside;
+  }
+  Picture part(const Picture& picture) const {
+    return {
+        width, height, picture.channels,
+        std::make_shared<std::vector<std::uint8_t>>(part(*picture.bytes, picture.width, picture.channels))};
+  }
+};
 
 /// @param seed of the theatre.
 inline KnownPair known_pair(std::uint64_t seed = insilico::TheatreOptions().seed) {
@@ -47,18 +70,20 @@ inline KnownPair known_pair(std::uint64_t seed = insilico::TheatreOptions().seed
   const auto theatre = insilico::Theatre::build(insilico::test::small_patient(), options, RunContext());
   const StereoFrame frame = (*theatre)->render(0);
   KnownPair known;
-  known.depth = middle_of((*theatre)->depth(0), options.width, options.height, 1);
+  const std::vector<float> depth = (*theatre)->depth(0);
+  const Window window = Window::of_tissue(depth, options.width, options.height);
+  known.depth = window.part(depth, options.width, 1);
   auto liver = std::make_shared<std::vector<std::uint8_t>>();
   for (const float z : known.depth) liver->push_back(z > 0.0F ? 255 : 0);
   StereoRig rig = (*theatre)->rig();
   for (Camera* camera : {&rig.left, &rig.right}) {
-    camera->matrix(0, 2) -= options.width / 4.0;
-    camera->matrix(1, 2) -= options.height / 4.0;
-    camera->width /= 2;
-    camera->height /= 2;
+    camera->matrix(0, 2) -= window.x;
+    camera->matrix(1, 2) -= window.y;
+    camera->width = window.width;
+    camera->height = window.height;
   }
-  known.pair = {middle_of(frame.left),
-                middle_of(frame.right),
+  known.pair = {window.part(frame.left),
+                window.part(frame.right),
                 {rig.left.width, rig.left.height, 1, std::move(liver)},
                 rig};
   return known;
