@@ -291,6 +291,7 @@ void run_all(const std::vector<std::unique_ptr<ShapeFitter>>& fitters, const Sha
              const RunContext& context) {
   const int until = options.max_iterations;
   std::vector<ShapeFitter*> going;
+  going.reserve(fitters.size());
   double least = std::numeric_limits<double>::infinity();
   for (const auto& fitter : fitters) going.push_back(fitter.get());
   run_each(going, std::min(kFirstIterations, until), options.threads, context.part(0.0, 0.5));
@@ -340,6 +341,7 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
   const MovingSurface surface(model, SurfaceDetail::fine);
   const PreparedCloud prepared = prepare_cloud(cloud, {});
   std::vector<std::unique_ptr<ShapeFitter>> fitters;
+  fitters.reserve(starts.size());
   for (const ShapeStart& start : starts)
     fitters.push_back(std::make_unique<ShapeFitter>(model, surface, prior, prepared, start, options));
   run_all(fitters, options, context);
