@@ -86,7 +86,10 @@ void RenderViewTest::TheSceneStaysInAViewOfAnotherSizeUntilSomebodyMovesIt() {
   resized(400, 200);
   resized(120, 400);
   QVERIFY(std::abs(wide() - narrow) < 1e-9);
-  patient.renderer().GetActiveCamera()->Dolly(2.0);  // somebody looks closer
+  patient.renderer().GetActiveCamera()->Roll(20.0);  // somebody turns it
+  resized(300, 200);
+  QVERIFY(std::abs(patient.renderer().GetActiveCamera()->GetRoll()) > 10.0);
+  patient.renderer().GetActiveCamera()->Dolly(2.0);  // and looks closer
   const Eigen::Vector3d moved(patient.renderer().GetActiveCamera()->GetPosition());
   resized(400, 200);
   QVERIFY((Eigen::Vector3d(patient.renderer().GetActiveCamera()->GetPosition()) - moved).norm() < 1e-12);

@@ -99,8 +99,9 @@ struct PatientScene::Impl {
   std::map<Label, double> opacity{{structure::kParenchyma, 0.35}};
   bool mesh_visible = false, slices_visible = true, skeleton_visible = false;
   ClosestPointTree skin;
-  std::optional<ViewFrom> looked_from;                       ///< by look_from(), last
-  Eigen::Vector3d looked_at_from = Eigen::Vector3d::Zero();  ///< where it set the viewer
+  std::optional<ViewFrom> looked_from;  ///< by look_from(), last
+  /// Where it set the viewer.
+  Eigen::Vector3d set_at = Eigen::Vector3d::Zero(), set_up = Eigen::Vector3d::Zero();
 
   void remove(std::unique_ptr<Shape>& shape) {
     if (shape) renderer->RemoveActor(shape->actor);
@@ -442,12 +443,14 @@ void PatientScene::look_from(ViewFrom from) {
   view.Dolly(kFillView);
   impl_->renderer->ResetCameraClippingRange();
   impl_->looked_from = from;
-  impl_->looked_at_from = Eigen::Map<const Eigen::Vector3d>(view.GetPosition());
+  impl_->set_at = Eigen::Map<const Eigen::Vector3d>(view.GetPosition());
+  impl_->set_up = Eigen::Map<const Eigen::Vector3d>(view.GetViewUp());
 }
 
 void PatientScene::keep_in_view() {
-  const Eigen::Map<const Eigen::Vector3d> now(impl_->renderer->GetActiveCamera()->GetPosition());
-  if (impl_->looked_from && now == impl_->looked_at_from) look_from(*impl_->looked_from);
+  vtkCamera& view = *impl_->renderer->GetActiveCamera();
+  const Eigen::Map<const Eigen::Vector3d> at(view.GetPosition()), up(view.GetViewUp());
+  if (impl_->looked_from && at == impl_->set_at && up == impl_->set_up) look_from(*impl_->looked_from);
 }
 
 ViewLetters PatientScene::view_letters() const {
