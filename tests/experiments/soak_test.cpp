@@ -173,6 +173,7 @@ void SoakTest::EditsAreMadeAndUndone() {
   const auto result = soak(options, folder.path(), {}, RunContext());
   QVERIFY(result && !result->passed);  // three say nothing
   QCOMPARE(result->figures.at("soak_edits"), 3.0);
+  QVERIFY(result->figures.at("voxels_changed") > 0.0);  // of the last stroke: it painted
   QVERIFY(result->figures.contains("seconds_edit_labels") && result->figures.contains("seconds_undo_labels"));
   QVERIFY(result->page.find("| edits | 3 |") != std::string::npos);
   QVERIFY(result->page.find("opens_and_saves |") == std::string::npos);

@@ -32,6 +32,11 @@ Look look(int first, int last, const std::function<double(int)>& share, unsigned
   made.seen.push_back(1);
   return made;
 }
+SeenShares learnt(const Look& first) {
+  SeenShares shares(kTriangles);
+  shares.learn(first.hits, first.seen);
+  return shares;
+}
 /// Half of the organ has texture.
 double usual(int triangle) { return triangle % 2 == 0 ? 0.8 : 0.05; }
 
@@ -55,9 +60,8 @@ void SeenSharesTest::NothingIsMissingOfWhatWasNeverSeen() {
 }
 
 void SeenSharesTest::PlainTissueIsNoCover() {
-  SeenShares shares(kTriangles);
-  const Look first = look(0, kTriangles, usual, 1), next = look(0, kTriangles, usual, 2);
-  shares.learn(first.hits, first.seen);
+  const SeenShares shares = learnt(look(0, kTriangles, usual, 1));
+  const Look next = look(0, kTriangles, usual, 2);
   QVERIFY(shares.missing(next.hits, next.seen) < 0.15);
   // The scope looks at the plain half alone: far less is seen, and nothing is hidden.
   Look plain;
@@ -70,9 +74,7 @@ void SeenSharesTest::PlainTissueIsNoCover() {
 }
 
 void SeenSharesTest::WhatIsHiddenIsMissing() {
-  SeenShares shares(kTriangles);
-  const Look first = look(0, kTriangles, usual, 1);
-  shares.learn(first.hits, first.seen);
+  const SeenShares shares = learnt(look(0, kTriangles, usual, 1));
   const Look hidden = look(
       0, kTriangles, [](int t) { return t < kTriangles / 2 ? 0.0 : usual(t); }, 2);
   const double missing = shares.missing(hidden.hits, hidden.seen);
@@ -80,18 +82,14 @@ void SeenSharesTest::WhatIsHiddenIsMissing() {
 }
 
 void SeenSharesTest::WhatComesIntoSightIsNotMissing() {
-  SeenShares shares(kTriangles);
-  const Look first = look(0, kTriangles / 2, usual, 1);
-  shares.learn(first.hits, first.seen);
+  const SeenShares shares = learnt(look(0, kTriangles / 2, usual, 1));
   const Look all = look(
       0, kTriangles, [](int t) { return t < kTriangles / 2 ? usual(t) : 0.0; }, 2);
   QVERIFY(shares.missing(all.hits, all.seen) < 0.15);
 }
 
 void SeenSharesTest::WhatIsLearntOnceStays() {
-  SeenShares shares(kTriangles);
-  const Look first = look(0, kTriangles, usual, 1);
-  shares.learn(first.hits, first.seen);
+  SeenShares shares = learnt(look(0, kTriangles, usual, 1));
   const Look smoke = look(
       0, kTriangles, [](int t) { return 0.3 * usual(t); }, 2);
   for (int n = 0; n < 20; ++n) shares.learn(smoke.hits, smoke.seen);

@@ -108,6 +108,18 @@ struct Bitten {
   Eigen::Vector3i voxel(int i, int j, int k) const { return Eigen::Vector3i(i, j, k) + room; }
   std::size_t at(int i, int j, int k) const { return ct.offset(voxel(i, j, k)); }
   Mask found() const { return where(ct, 90.0F, 130.0F); }
+  /// Puts in a ball, millimetres. @return whether its middle is taken for a part of the liver.
+  bool takes_ball(const Eigen::Vector3d& middle, double radius_mm, float hounsfield) {
+    for (std::size_t i = 0; i < ct.values.size(); ++i)
+      if ((kVoxel * (ct.voxel_at(i) - room).cast<double>() - middle).norm() < radius_mm)
+        ct.values[i] = hounsfield;
+    const Mask liver = found(), nothing = ct.empty_mask();
+    const Mask whole = with_enclosed(ct, liver, kLiver, liver, liver, nothing, nothing, nothing,
+                                     {{voxel(10, 8, 10)}, {}}, RunContext())
+                           .value();
+    const Eigen::Vector3i at_middle = (middle / kVoxel).cast<int>();
+    return whole.voxels[at(at_middle.x(), at_middle.y(), at_middle.z())] != 0;
+  }
 
   static constexpr double kVoxel = 2.0;
   static inline const Eigen::Vector3d kTumour{45, 70, 45};
@@ -126,45 +138,15 @@ void RegionCutTest::ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot() {
 }
 
 void RegionCutTest::ALargeBiteIsFilledWhereTheLiverEnclosesIt() {
-  const auto middle_of = [](double tumour_mm, double y_mm) {
-    Bitten bitten(40.0, 0.0);
-    const Eigen::Vector3d middle(47, y_mm, 46);
-    for (int k = 0; k < 50; ++k)
-      for (int j = 0; j < 60; ++j)
-        for (int i = 0; i < 60; ++i)
-          if ((Eigen::Vector3d(i, j, k) * Bitten::kVoxel - middle).norm() < tumour_mm)
-            bitten.ct.values[bitten.at(i, j, k)] = 60.0F;
-    const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
-    const Mask whole = with_enclosed(bitten.ct, found, kLiver, found, found, nothing, nothing, nothing,
-                                     {{bitten.voxel(10, 8, 10)}, {}}, RunContext())
-                           .value();
-    const Eigen::Vector3i voxel = (middle / Bitten::kVoxel).cast<int>();
-    return int(whole.voxels[bitten.at(voxel.x(), voxel.y(), voxel.z())]);
-  };
-  QCOMPARE(middle_of(32.0, 50.0), 1);
+  QVERIFY(Bitten(40.0, 0.0).takes_ball({47, 50, 46}, 32.0, 60.0F));
   // It leans on the liver with a third of its border.
-  QCOMPARE(middle_of(32.0, 88.0), 0);
+  QVERIFY(!Bitten(40.0, 0.0).takes_ball({47, 88, 46}, 32.0, 60.0F));
 }
 
 void RegionCutTest::ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot() {
-  const auto middle_of = [](double y_mm) {
-    Bitten bitten(20.0, 0.0);
-    const Eigen::Vector3d middle(46, y_mm, 46);
-    for (int k = 0; k < 50; ++k)
-      for (int j = 0; j < 50; ++j)
-        for (int i = 0; i < 60; ++i)
-          if ((Eigen::Vector3d(i, j, k) * Bitten::kVoxel - middle).norm() < 20.0)
-            bitten.ct.values[bitten.at(i, j, k)] = 8.0F;
-    const Mask found = bitten.found(), nothing = bitten.ct.empty_mask();
-    const Mask whole = with_enclosed(bitten.ct, found, kLiver, found, found, nothing, nothing, nothing,
-                                     {{bitten.voxel(10, 8, 10)}, {}}, RunContext())
-                           .value();
-    const Eigen::Vector3i voxel = (middle / Bitten::kVoxel).cast<int>();
-    return int(whole.voxels[bitten.at(voxel.x(), voxel.y(), voxel.z())]);
-  };
   // The liver's face is at 74 mm: a sixth of the cyst's surface is free, of the gallbladder's 60 %.
-  QCOMPARE(middle_of(60.0), 1);
-  QCOMPARE(middle_of(78.0), 0);
+  QVERIFY(Bitten(20.0, 0.0).takes_ball({46, 60, 46}, 20.0, 8.0F));
+  QVERIFY(!Bitten(20.0, 0.0).takes_ball({46, 78, 46}, 20.0, 8.0F));
 }
 
 void RegionCutTest::WhatOnlyTheClicksTookForLiverIsNoOrgan() {

@@ -30,8 +30,8 @@ constexpr int kSurfacesAtStart = 5;
 /// Regions of the picture that err on their own in one surface (JudgeOptions::mean_gap).
 constexpr double kRegionsAlone = 4.5;
 
-/// How far above one the root of the mean of `squares` independent squares of deviation one is found once in
-/// a thousand times: chi-square's quantile by Wilson and Hilferty (1931).
+/// What the root mean square of so many independent normal deviates, of standard deviation one, exceeds once
+/// in a thousand times: chi-square's quantile by Wilson and Hilferty (1931).
 double rare_rms(double squares) {
   constexpr double kNormalQuantile = 3.0902;
   const double variance = 2.0 / (9.0 * squares);
@@ -94,9 +94,9 @@ struct Judge::Impl {
     shape = nodes;
     tissue.clear();
     surface.forget();
-    const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape, {}, {}, true);
+    const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);
     take(seen);
-    last_gaps.push_back(evidence.gap);
+    if (!is_silent()) last_gaps.push_back(evidence.gap);
     tissue.add(seen.tissue, seen.eye);
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
@@ -104,6 +104,12 @@ struct Judge::Impl {
     poor.set(measured.poor > 1.0);
     for (Alarm* alarm : {&stands, &views, &repeated, &not_alive, &copies, &part_stands}) alarm->set(false);
     evidence.judged = true;
+    learn();
+  }
+
+  /// What is seen of the organ while nothing speaks against the overlay, by this surface nor by any other.
+  void learn() {
+    if (!undecided && apartness() < 1.0 && coverage() < 1.0 && verdict() == Validity::valid) surface.learn();
   }
 
   void take(const SurfaceEvidence& seen) {
@@ -141,9 +147,8 @@ struct Judge::Impl {
     const bool is_new = undecided || looks < kSurfacesAtStart;
     if (!pending.valid() && clock.is_due(looked, is_new ? options.lag : options.every)) {
       looked = clock.now();
-      const bool learns = !undecided && verdict() == Validity::valid;
-      pending = std::async(std::launch::async, [this, frame, points, nodes, not_liver, learns, now = shape] {
-        return surface.check(frame.left, frame.right, nodes, now, points, not_liver, learns);
+      pending = std::async(std::launch::async, [this, frame, points, nodes, not_liver, now = shape] {
+        return surface.check(frame.left, frame.right, nodes, now, points, not_liver);
       });
       compare_surface();
     }
@@ -162,6 +167,7 @@ struct Judge::Impl {
       against = apartness() >= 1.0 ? against + 1 : 0;
     }
     covered.push(coverage(), 1.0, options.relief);
+    learn();
     ++looks;
     undecided = undecided && apart.stands() && against < kRefuted && looks < kMostUndecided;
   }

@@ -152,12 +152,11 @@ struct SurfaceCheck::Impl {
     return regions;
   }
 
-  void compare(const std::vector<SeenPoint>& points, const std::vector<FollowedPoint>& followed, bool learns,
+  void compare(const std::vector<SeenPoint>& points, const std::vector<FollowedPoint>& followed,
                SurfaceEvidence& evidence) {
     for (const double z : depth) evidence.predicted += z > 0.0;
     look_at_regions(classify(points, evidence), evidence);
     evidence.missing = seen_shares.missing(hit, is_supported);
-    if (learns) seen_shares.learn(hit, is_supported);
     lifted = lifted_places(grid_of(points, followed));
     int inside = 0, supported = 0, behind = 0, before = 0, organ = 0;
     for (int r = 0; r < stereo.rows(); ++r)
@@ -296,14 +295,14 @@ SurfaceCheck::~SurfaceCheck() = default;
 
 SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
                                     const Points& shape, const std::vector<FollowedPoint>& followed,
-                                    const Picture& not_liver, bool learns) {
+                                    const Picture& not_liver) {
   SurfaceEvidence evidence;
   std::vector<SeenPoint> points = impl_->stereo.see(left, right);
   std::erase_if(points, [&](const SeenPoint& point) {
     return impl_->allowed[impl_->index(point.column, point.row)] == 0;
   });
   impl_->predict(nodes_in_camera);
-  impl_->compare(points, followed, learns, evidence);
+  impl_->compare(points, followed, evidence);
   impl_->fit(points, evidence);
   evidence.tissue = impl_->tissue(points, shape, not_liver);
   if (shape.rows() > 0)
@@ -311,6 +310,7 @@ SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, c
   return evidence;
 }
 
+void SurfaceCheck::learn() { impl_->seen_shares.learn(impl_->hit, impl_->is_supported); }
 void SurfaceCheck::forget() { impl_->seen_shares = SeenShares(impl_->surface.mesh().triangle_count()); }
 
 }  // namespace glisson::guidance

@@ -17,8 +17,8 @@ struct SurfaceEvidence {
   int predicted = 0;       ///< places of the grid where the organ should be seen
   int seen = 0;            ///< of these, with a depth by stereo
   double supported = 0.0;  ///< share of the predicted ones where stereo sees the organ
-  /// Share by which it sees less of the organ than it did of these same places of the material while learns
-  /// was set: what hides them. 0: none of them was in sight then.
+  /// Share by which it sees less of the organ than it did of these same places of the material in the pairs
+  /// that were learnt: what hides them. 0: too few of them were in sight then.
   double missing = 0.0;
   double behind = 0.0;  ///< share of those, well inside the outline, where it sees something farther away
   double before = 0.0;  ///< the same, nearer: covered, or the organ itself:
@@ -48,12 +48,13 @@ class SurfaceCheck {
   /// @param shape any other shape of the same nodes, for `tissue`; empty: none.
   /// @param followed the points that are followed in this pair.
   /// @param not_liver empty, or of the left picture's size and non-zero where no tissue is to be kept.
-  /// @param learns whether nothing speaks against the overlay, so that this pair shows how much of each place
-  ///   stereo sees.
   /// @throws InputError pictures of another size.
   SurfaceEvidence check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
                         const Points& shape = {}, const std::vector<FollowedPoint>& followed = {},
-                        const Picture& not_liver = {}, bool learns = false);
+                        const Picture& not_liver = {});
+  /// The last pair shows how much of each place stereo sees: nothing hid the organ, and it was found.
+  /// @pre check() was called, and is not at work.
+  void learn();
   /// What was learnt is another start's.
   void forget();
 
