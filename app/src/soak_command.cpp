@@ -37,6 +37,7 @@ int run_soak(const QStringList& given) {
   session.finish();
   say(QString::fromStdString(result->page));
   if (arguments.has("page")) write_file_atomically(arguments.path("page"), result->page);
+  if (!result->complete) throw Interrupted();
   return result->passed ? kDone : kFailed;
 }
 

@@ -28,6 +28,7 @@ class SoakTest : public QObject {
   void OneMoreDescriptorIsALeak();
   void TooFewTimesSayNothing();
   void ACancelEndsTheWork();
+  void WhatWasDoneBeforeACancelIsKept();
   void TheProcessIsMeasured();
   void TheFilmTurnsRoundWithoutAJump();
   void LossesAreCountedInSpells();
@@ -104,6 +105,29 @@ void SoakTest::ACancelEndsTheWork() {
   QCOMPARE(done, 4);
 }
 
+void SoakTest::WhatWasDoneBeforeACancelIsKept() {
+  SoakRun run("work", 60, 1.0, [] { return Usage{100.0, 4.0, 1.0}; });
+  QVERIFY(!run.work([](int n) { return n < 20; }));
+  QCOMPARE(run.figures().at("soak_work"), 20.0);
+  QVERIFY(run.row().find("| 20 of 60 |") != std::string::npos);
+  // The same of a whole soak: it is no page of a run that went to its end, and passes nothing.
+  const TemporaryFolder folder;
+  SoakOptions options;
+  options.patient = labelled_case(folder.path());
+  options.frames = options.opens = 0;
+  options.edits = 60;
+  const auto flag = std::make_shared<CancelFlag>();
+  int told = 0;
+  const RunContext context([&](double, std::string_view) { told == 100 ? flag->request() : void(++told); },
+                           flag, 1);
+  const auto result = soak(options, folder.path(), {}, context);
+  QVERIFY(result && !result->complete && !result->passed);
+  const double done = result->figures.at("soak_edits");
+  QVERIFY(done > 0.0 && done < 60.0);
+  QVERIFY(result->page.find("Interrupted") != std::string::npos);
+  QVERIFY(result->page.find(" of 60 |") != std::string::npos);
+}
+
 void SoakTest::TheProcessIsMeasured() {
   const Usage before = usage_now();
   QVERIFY(before.memory_mb > 1.0 && before.descriptors >= 3.0 && before.threads >= 1.0);
@@ -171,13 +195,13 @@ void SoakTest::EditsAreMadeAndUndone() {
   options.frames = options.opens = 0;
   options.edits = 3;
   const auto result = soak(options, folder.path(), {}, RunContext());
-  QVERIFY(result && !result->passed);  // three say nothing
+  QVERIFY(result && result->complete && !result->passed);  // three say nothing
   QCOMPARE(result->figures.at("soak_edits"), 3.0);
   QVERIFY(result->figures.at("voxels_changed") > 0.0);  // of the last stroke: it painted
   QVERIFY(result->figures.contains("seconds_edit_labels") && result->figures.contains("seconds_undo_labels"));
   QVERIFY(result->page.find("| edits | 3 |") != std::string::npos);
   QVERIFY(result->page.find("opens_and_saves |") == std::string::npos);
-  // A cancel ends it without a page.
+  // A cancel before the first sample ends it without a page.
   const auto flag = std::make_shared<CancelFlag>();
   flag->request();
   QVERIFY(!soak(options, folder.path(), {}, RunContext({}, flag, 1)));

@@ -37,24 +37,33 @@ class Soak {
       : options_(options), folder_(std::move(folder)), draw_(draw), context_(context), script_(context) {}
 
   SoakResult run() {
+    try {
+      work();
+      result_.complete = true;
+    } catch (const Cancelled&) {
+      // An hour's figures are worth something, if they say what they are.
+    }
+    std::erase_if(runs_, [](const SoakRun& run) { return run.is_empty(); });
+    if (!result_.complete && runs_.empty()) throw Cancelled();
+    for (const SoakRun& run : runs_) add(run.figures());
+    result_.page = page();
+    // Nothing done proves nothing, nor does a program that was never caught at work.
+    const bool was_tried = options_.kills == 0 ? !runs_.empty() : trial_.kills > 0;
+    result_.passed =
+        result_.complete && was_tried && trial_.passed() &&
+        std::all_of(runs_.begin(), runs_.end(), [](const SoakRun& run) { return run.is_flat(); });
+    return std::move(result_);
+  }
+
+ private:
+  void work() {
     patient_ = fs::absolute(options_.patient.empty() ? made_case() : options_.patient);
     post(engine::OpenCase{patient_, engine::OpenCase::Access::read});
     if (options_.frames > 0) follow_frames();
     if (options_.opens > 0) open_and_save();
     if (options_.edits > 0) edit_and_undo();
     if (options_.kills > 0) kill();
-    std::erase_if(runs_, [](const SoakRun& run) { return run.is_empty(); });
-    for (const SoakRun& run : runs_) add(run.figures());
-    result_.page = page();
-    // Nothing done proves nothing, nor does a program that was never caught at work.
-    const bool was_tried = options_.kills == 0 ? !runs_.empty() : trial_.kills > 0;
-    result_.passed =
-        was_tried && trial_.passed() &&
-        std::all_of(runs_.begin(), runs_.end(), [](const SoakRun& run) { return run.is_flat(); });
-    return std::move(result_);
   }
-
- private:
   void add(const Figures& figures) {
     for (const auto& [key, value] : figures) result_.figures[key] = value;
   }
@@ -65,15 +74,19 @@ class Soak {
     result_.figures["seconds_" + outcome->command] = outcome->seconds;
   }
   const engine::CaseState& state() const { return script_.state(); }
-  /// @param once does it one more time; its number is from 0.
-  void repeat(SoakRun run, const std::function<void(int)>& once) {
+  /// @param once does it one more time; its number is from 0. @return false: cancelled.
+  bool repeat(SoakRun run, const std::function<void(int)>& once) {
     const auto go_on = [&](int n) {
       if (context_.cancelled()) return false;
-      once(n);
+      try {
+        once(n);
+      } catch (const Cancelled&) {
+        return false;
+      }
       return true;
     };
-    if (!run.work(go_on)) throw Cancelled();
     runs_.push_back(std::move(run));
+    return runs_.back().work(go_on);
   }
 
   /// Where nobody names a case: the synthetic patient with a short film.
@@ -92,7 +105,7 @@ class Soak {
     const SoakFilm film(state());
     SoakLosses losses(film);
     post(engine::StartTracking{});
-    repeat({"frames", options_.frames, kFramesADay}, [&](int n) {
+    const bool complete = repeat({"frames", options_.frames, kFramesADay}, [&](int n) {
       const StereoFrame frame = film.at(n);
       const auto overlay = script_.follow(frame);
       if (!overlay) throw Cancelled();
@@ -102,15 +115,17 @@ class Soak {
     });
     add(losses.figures());
     losses_ = losses.table();
+    if (!complete) throw Cancelled();
   }
 
   void open_and_save() {
     const fs::path place = folder_ / "soak.glisson";
     post(engine::SaveCase{place});
-    repeat({"opens_and_saves", options_.opens, kOpensADay}, [&](int) {
-      post(engine::OpenCase{place});
-      post(engine::SaveCase{place});
-    });
+    if (!repeat({"opens_and_saves", options_.opens, kOpensADay}, [&](int) {
+          post(engine::OpenCase{place});
+          post(engine::SaveCase{place});
+        }))
+      throw Cancelled();
   }
 
   /// A stroke through the liver's middle, a different one each time, and back.
@@ -118,7 +133,7 @@ class Soak {
     engine::require_parts(state(), {part::labels, part::model});
     const Eigen::RowVector3d middle = state()[part::model]->model.surface.mesh.vertices.colwise().mean();
     const LabelVolume before = state()[part::labels]->voxels;
-    repeat({"edits", options_.edits, kEditsADay}, [&](int n) {
+    const bool complete = repeat({"edits", options_.edits, kEditsADay}, [&](int n) {
       editing::Paint paint;
       paint.label = structure::kPortalVein;
       paint.brush = editing::Paint::Brush::ball;
@@ -129,6 +144,7 @@ class Soak {
       post(engine::EditLabels{{paint, {}}});
       post(engine::UndoLabels{});
     });
+    if (!complete) throw Cancelled();
     if (!(state()[part::labels]->voxels == before))
       throw Error(
           "edits: the labels are not what they were after as many undos. This is a fault of Glisson.");
@@ -154,6 +170,7 @@ class Soak {
         "last. Flat: memory grows by less than 24 MB or 3 %, descriptors and threads not at all. A leak that "
         "this could hide, in kB each time, is held against what a day of much work (eight hours of frames, "
         "100 openings, 5,000 edits) can bear in 2 GB; a run that hides more is too short to say.\n\n" +
+        (result_.complete ? "" : "**Interrupted: these figures are of what was done until then.**\n\n") +
         SoakRun::table_head();
     for (const SoakRun& run : runs_) text += run.row();
     text +=
@@ -161,7 +178,7 @@ class Soak {
         "and written. `edits`: a stroke of the brush and its undo, after which the labels were the same "
         "to the voxel.\n" +
         losses_;
-    return options_.kills == 0 ? text : text + kills_text();
+    return trial_.kills == 0 ? text : text + kills_text();
   }
 
   std::string kills_text() const {

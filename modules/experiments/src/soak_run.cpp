@@ -50,12 +50,11 @@ SoakRun::SoakRun(std::string name, int times, double a_day, std::function<Usage(
 bool SoakRun::work(const std::function<bool(int)>& once) {
   const int every = std::max(1, times_ / kSamples);
   const Stopwatch watch;
-  for (int n = 0; n < times_; ++n) {
-    if (!once(n)) return false;
-    if ((n + 1) % every == 0) samples_.push_back(measure_());
-  }
+  bool goes_on = true;
+  for (done_ = 0; done_ < times_ && (goes_on = once(done_));)
+    if (++done_ % every == 0) samples_.push_back(measure_());
   seconds_ = watch.seconds();
-  return true;
+  return goes_on;
 }
 
 double SoakRun::mean(double Usage::*kind, std::size_t quarter) const {
@@ -73,7 +72,7 @@ double SoakRun::most(double Usage::*kind) const {
 
 double SoakRun::allowed_mb() const { return std::max(kGrowthMb, kGrowthShare * early(&Usage::memory_mb)); }
 /// The smallest leak that this run shows, kB each time: half of it lies between the two quarters.
-double SoakRun::shows_kb() const { return 1e3 * allowed_mb() / (0.5 * times_); }
+double SoakRun::shows_kb() const { return 1e3 * allowed_mb() / (0.5 * std::max(1, done_)); }
 /// What one more time may cost if a day's work is to fit.
 double SoakRun::bearable_kb() const { return 1e3 * kDayMb / a_day_; }
 
@@ -85,7 +84,7 @@ bool SoakRun::is_flat() const {
 
 Figures SoakRun::figures() const {
   const std::string key = "soak_" + name_;
-  return {{key, times_},
+  return {{key, done_},
           {key + "_seconds", seconds_},
           {key + "_growth_mb", late(&Usage::memory_mb) - early(&Usage::memory_mb)},
           {key + "_shows_kb", shows_kb()},
@@ -99,7 +98,9 @@ std::string SoakRun::table_head() {
 }
 
 std::string SoakRun::row() const {
-  std::string row = "| " + name_ + " | " + std::to_string(times_) + " | " + number(seconds_, 0) + " | ";
+  std::string row = "| " + name_ + " | " + std::to_string(done_) +
+                    (done_ == times_ ? "" : " of " + std::to_string(times_)) + " | " + number(seconds_, 0) +
+                    " | ";
   row += number(early(&Usage::memory_mb), 0) + " | " + number(late(&Usage::memory_mb), 0) + " | " +
          number(most(&Usage::memory_mb), 0) + " | ";
   row += number(early(&Usage::descriptors), 1) + " -> " + number(late(&Usage::descriptors), 1) + " | ";

@@ -27,10 +27,10 @@ class SoakRun {
   /// @pre times >= 0, a_day > 0
   SoakRun(std::string name, int times, double a_day, std::function<Usage()> measure = usage_now);
 
-  /// Does it, numbered from 0. @return false: `once` said so, since it was cancelled.
+  /// Does it, numbered from 0. @return false: `once` said so, since it was cancelled; what was done before
+  /// is kept.
   bool work(const std::function<bool(int)>& once);
 
-  int times() const { return times_; }
   bool is_empty() const { return samples_.empty(); }
   /// The first quarter fills what is kept for later use: the second is compared with the last. Memory may
   /// grow by 24 MB or 3 %, descriptors and threads not at all.
@@ -53,7 +53,7 @@ class SoakRun {
   double bearable_kb() const;
 
   std::string name_;
-  int times_;
+  int times_, done_ = 0;
   double a_day_;
   std::function<Usage()> measure_;
   double seconds_ = 0.0;

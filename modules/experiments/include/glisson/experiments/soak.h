@@ -34,13 +34,15 @@ using DrawOverlay = std::function<Picture(const engine::CaseState&, const Stereo
 
 /// What a process used over hours of work, and what kills left.
 struct SoakResult {
-  Figures figures;      ///< `soak_...`, `kill_...`, and those of the engine's commands
-  std::string page;     ///< the same in Markdown
-  bool passed = false;  ///< all flat, and nothing broken by a kill
+  Figures figures;        ///< `soak_...`, `kill_...`, and those of the engine's commands
+  std::string page;       ///< the same in Markdown
+  bool complete = false;  ///< false: it was interrupted, and this is what was done until then
+  bool passed = false;    ///< complete, all flat, and nothing broken by a kill
 };
 
 /// The same work over and over: what a process uses must not grow with it. Long.
-/// @param folder an existing, empty one for what is made on the way. @return empty when cancelled.
+/// @param folder an existing, empty one for what is made on the way. @return empty when cancelled before a
+/// first sample was taken.
 /// @throws InputError a part that a kind of work needs is missing; Error of any stage; FileError.
 Cancellable<SoakResult> soak(const SoakOptions& options, const std::filesystem::path& folder,
                              const DrawOverlay& draw, const RunContext& context);
