@@ -124,6 +124,11 @@ void PartingTest::ALobeInPiecesIsDoubtfulAsOne() {
   QCOMPARE(side_at(field, sides.own, 95) + side_at(field, sides.own, 144), 0);
   QVERIFY2(sides.doubtful_ml > 150.0 && sides.doubtful_ml < 200.0,
            qPrintable(QString::number(sides.doubtful_ml)));
+  // So it is where the pieces hang together no better than the first one does on the liver.
+  const Sides chain = joined_by(24.0, 22.0);
+  QVERIFY2(chain.doubtful_ml > 130.0 && chain.doubtful_ml < 150.0,
+           qPrintable(QString::number(chain.doubtful_ml)));
+  QCOMPARE(side_at(field, chain.perhaps, 95) + side_at(field, chain.perhaps, 144), 2);
   // What hangs on the piece by a thin rod is not of its body.
   QCOMPARE(joined_by(12.0, 12.0).doubtful_ml, 0.0);
 }

@@ -151,6 +151,13 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
                                    const RunContext& context) {
   Tissue tissue = liver_at(ct, seeds.inside);
   Tissue parenchyma = tissue;
+  const auto learn_from = [&](const LiverStart& found) {
+    const Tissue seen = tissue_within(ct, found.start, 4.0);
+    if (!(seen.sigma > 0.0)) return;
+    parenchyma = seen;
+    // The whole liver differs more than what was found of it.
+    tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
+  };
   const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct),
                               moved(seeds.lesions, ct, view.ct)};
   const Mask seams = seams_of(view, tissue, view_seeds);
@@ -161,11 +168,7 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
     auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, likely, context);
     if (!next) return std::nullopt;
     parted = std::move(*next);
-    const Tissue seen = tissue_within(ct, parted.start, 4.0);
-    if (!(seen.sigma > 0.0)) continue;
-    parenchyma = seen;
-    // The whole liver differs more than what was found of it.
-    tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
+    learn_from(parted);
   }
   if (parted.doubtful.ml > 0.0) {
     // A tumour is no neck, though nobody has clicked it.
@@ -177,7 +180,13 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
     long taken = 0;
     for (std::size_t i = 0; i < tumours.voxels.size(); ++i)
       taken += parted.perhaps.voxels[i] != 0 && again->own.voxels[i] != 0;
-    if (2 * taken > parted.perhaps.count()) parted = std::move(*again);
+    if (2 * taken > parted.perhaps.count()) {
+      // Its grey may be why it was left out: what its statistics add is the liver's, too.
+      learn_from(*again);
+      auto more = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, tumours, context);
+      if (!more) return std::nullopt;
+      parted = std::move(more->own.count() > again->own.count() ? *more : *again);
+    }
   }
   parted.parenchyma = parenchyma;
   return parted;

@@ -37,7 +37,8 @@ struct LiverStart {
 
 /// Robust statistics at the clicks; what looks like that is parted at its necks and seams (see
 /// part_at_necks()); once more with the statistics of what was found. A doubtful body is asked once more with
-/// the dark tissue that it and the liver enclose together: a tumour is no neck.
+/// the dark tissue that it and the liver enclose together: a tumour is no neck. If it is the liver's then,
+/// the statistics learn from it, and all is parted a last time.
 /// @param barred, included known not to be liver, known to be.
 /// @param likely lesions, perhaps: where they lie between two parts of the liver they are no neck.
 Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,

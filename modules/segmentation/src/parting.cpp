@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -71,6 +72,26 @@ class Unions {
 
  private:
   std::vector<int> parent_;
+};
+
+/// Parts that are united, and the volume of what they make.
+class Bodies {
+ public:
+  explicit Bodies(const std::vector<double>& volume) : unions_(volume.size()), volume_(volume) {}
+  int of(int part) { return unions_.of(part); }
+  void unite(int a, int b) {
+    const int stays = of(a), goes = of(b);
+    if (stays == goes) return;
+    unions_.unite(stays, goes);
+    volume_[static_cast<std::size_t>(stays)] += volume_[static_cast<std::size_t>(goes)];
+  }
+  double volume_of(int body) const { return volume_[static_cast<std::size_t>(body)]; }
+  /// By body; of other parts what they had when they were united.
+  const std::vector<double>& volume() const { return volume_; }
+
+ private:
+  Unions unions_;
+  std::vector<double> volume_;
 };
 
 /// Calls visit(voxel, neighbour) for every face between two voxels.
@@ -155,7 +176,6 @@ class Parting {
       if (best < 0) {
         best = static_cast<int>(peak_.size());
         peak_.push_back(depth_[at]);
-        summit_.push_back(at);
       }
       part_[at] = best;
     }
@@ -205,30 +225,12 @@ class Parting {
           return std::min(depth_[a], depth_[b]) > passage_mm ? face_mm2 : 0.0F;
         },
         [](float a, float b) { return a + b; });
-    std::vector<std::vector<std::pair<int, float>>> neighbours(peak_.size());
-    for (const Face& wall : walls) {
-      neighbours[static_cast<std::size_t>(wall.a)].emplace_back(wall.b, wall.value);
-      neighbours[static_cast<std::size_t>(wall.b)].emplace_back(wall.a, wall.value);
-    }
-    // What is shared only grows, so that the order does not matter.
     std::vector<std::uint8_t> owned(peak_.size(), 0);
-    std::vector<std::size_t> waiting;
-    for (std::size_t n = 0; n < owned.size(); ++n)
-      if ((clicked_[n] & 1) != 0) owned[n] = 1, waiting.push_back(n);
-    while (!waiting.empty()) {
-      const std::size_t at = waiting.back();
-      waiting.pop_back();
-      for (const auto& [other, area] : neighbours[at]) {
-        const auto n = static_cast<std::size_t>(other);
-        shared[n] += area;
-        const double enough = clicked_[n] == 0 ? wide_ : kBroad;
-        if (owned[n] != 0 || shared[n] < enough * flat_face_mm2(volume[n])) continue;
-        owned[n] = 1;
-        waiting.push_back(n);
-      }
-    }
+    for (std::size_t n = 0; n < owned.size(); ++n) owned[n] = (clicked_[n] & 1) != 0 ? 1 : 0;
+    own_more(
+        walls, volume, [&](std::size_t n) { return clicked_[n] == 0 ? wide_ : kBroad; }, owned, shared);
     Sides sides{ct_.empty_mask(), ct_.empty_mask(), ct_.empty_mask()};
-    tell_doubtful(walls, owned, volume, shared, sides);
+    tell_doubtful(walls, owned, volume, sides);
     for (std::size_t i = 0; i < part_.size(); ++i) {
       if (part_[i] < 0) continue;
       const auto n = static_cast<std::size_t>(part_[i]);
@@ -239,34 +241,77 @@ class Parting {
   }
 
  private:
-  /// A lobe may fall into parts itself: what nobody clicked and broadly belongs together is judged as one.
-  void tell_doubtful(const std::vector<Face>& walls, const std::vector<std::uint8_t>& owned,
-                     std::vector<double> volume, std::vector<double> shared, Sides& sides) const {
-    const std::vector<double> alone = volume;
-    Unions bodies(peak_.size());
+  /// Adds every part whose face with owned ones is enough, of a half ball's flat one. What is shared only
+  /// grows, so that the order does not matter. @param shared mm^2, with owned parts; counted here.
+  template <class Enough>
+  static void own_more(const std::vector<Face>& walls, const std::vector<double>& volume,
+                       const Enough& enough, std::vector<std::uint8_t>& owned, std::vector<double>& shared) {
+    std::vector<std::vector<std::pair<int, float>>> neighbours(owned.size());
     for (const Face& wall : walls) {
-      const auto a = static_cast<std::size_t>(wall.a), b = static_cast<std::size_t>(wall.b);
-      if (owned[a] != 0 || owned[b] != 0 || clicked_[a] != 0 || clicked_[b] != 0) continue;
-      if (wall.value < wide_ * flat_face_mm2(std::min(alone[a], alone[b]))) continue;
-      const auto stays = static_cast<std::size_t>(bodies.of(wall.a)),
-                 goes = static_cast<std::size_t>(bodies.of(wall.b));
-      if (stays == goes) continue;
-      bodies.unite(static_cast<int>(stays), static_cast<int>(goes));
-      volume[stays] += volume[goes];
-      shared[stays] += shared[goes];
+      neighbours[static_cast<std::size_t>(wall.a)].emplace_back(wall.b, wall.value);
+      neighbours[static_cast<std::size_t>(wall.b)].emplace_back(wall.a, wall.value);
     }
-    for (std::size_t n = 0; n < owned.size(); ++n) {
-      if (bodies.of(static_cast<int>(n)) != static_cast<int>(n) || owned[n] != 0 || clicked_[n] != 0)
-        continue;
-      if (shared[n] < kDoubtful * flat_face_mm2(volume[n])) continue;
-      if (1e-3 * volume[n] < std::max(kDoubtfulMl, sides.doubtful_ml)) continue;
-      sides.doubtful_ml = 1e-3 * volume[n];
-      sides.doubtful = ct_.voxel_at(summit_[n]);
+    std::vector<std::size_t> waiting;
+    for (std::size_t n = 0; n < owned.size(); ++n)
+      if (owned[n] != 0) waiting.push_back(n);
+    while (!waiting.empty()) {
+      const std::size_t at = waiting.back();
+      waiting.pop_back();
+      for (const auto& [other, area] : neighbours[at]) {
+        const auto n = static_cast<std::size_t>(other);
+        shared[n] += area;
+        if (owned[n] != 0 || shared[n] < enough(n) * flat_face_mm2(volume[n])) continue;
+        owned[n] = 1;
+        waiting.push_back(n);
+      }
     }
-    if (!(sides.doubtful_ml > 0.0)) return;
-    const int body = bodies.of(part_[ct_.offset(sides.doubtful)]);
-    for (std::size_t i = 0; i < part_.size(); ++i)
-      sides.perhaps.voxels[i] = part_[i] >= 0 && bodies.of(part_[i]) == body;
+  }
+
+  /// A lobe may fall into parts itself: what nobody clicked and broadly belongs together is judged as one,
+  /// and so is what hangs on the liver by way of others only, as the pieces of a lobe of another grey do.
+  void tell_doubtful(const std::vector<Face>& walls, const std::vector<std::uint8_t>& owned,
+                     const std::vector<double>& volume, Sides& sides) const {
+    const auto is_nobodys = [&](int part) {
+      return owned[static_cast<std::size_t>(part)] == 0 && clicked_[static_cast<std::size_t>(part)] == 0;
+    };
+    const auto volume_of = [&](int part) { return volume[static_cast<std::size_t>(part)]; };
+    Bodies broad(volume);
+    for (const Face& wall : walls)
+      if (is_nobodys(wall.a) && is_nobodys(wall.b) &&
+          wall.value >= wide_ * flat_face_mm2(std::min(volume_of(wall.a), volume_of(wall.b))))
+        broad.unite(wall.a, wall.b);
+    std::vector<Face> between;
+    for (const Face& wall : walls)
+      if (broad.of(wall.a) != broad.of(wall.b))
+        between.push_back({broad.of(wall.a), broad.of(wall.b), wall.value});
+    std::vector<std::uint8_t> hangs = owned;
+    std::vector<double> shared(peak_.size(), 0.0);
+    own_more(
+        between, broad.volume(),
+        [&](std::size_t n) { return clicked_[n] == 0 ? kDoubtful : std::numeric_limits<double>::infinity(); },
+        hangs, shared);
+    const auto is_doubtful = [&](int part) {
+      return is_nobodys(part) && hangs[static_cast<std::size_t>(broad.of(part))] != 0;
+    };
+    Bodies all = broad;
+    for (const Face& wall : walls)
+      if (wall.value > 0.0F && is_doubtful(wall.a) && is_doubtful(wall.b)) all.unite(wall.a, wall.b);
+    int found = -1;
+    for (int n = 0; n < static_cast<int>(owned.size()); ++n)
+      if (all.of(n) == n && is_doubtful(n) &&
+          1e-3 * all.volume_of(n) >= std::max(kDoubtfulMl, sides.doubtful_ml)) {
+        found = n;
+        sides.doubtful_ml = 1e-3 * all.volume_of(n);
+      }
+    if (found < 0) return;
+    float deepest = 0.0F;
+    for (std::size_t i = 0; i < part_.size(); ++i) {
+      if (part_[i] < 0 || all.of(part_[i]) != found) continue;
+      sides.perhaps.voxels[i] = 1;
+      if (depth_[i] <= deepest) continue;
+      deepest = depth_[i];
+      sides.doubtful = ct_.voxel_at(i);
+    }
   }
 
   int part_near(const Eigen::Vector3i& click) const {
@@ -289,7 +334,6 @@ class Parting {
   double wide_;  ///< what a part of nobody's clicks shares with owned ones
   Mask tissue_;
   std::vector<float> depth_, peak_;
-  std::vector<std::size_t> summit_;  ///< of each part, its deepest voxel
   std::vector<int> part_;
   std::vector<std::uint8_t> clicked_;
 };

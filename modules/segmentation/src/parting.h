@@ -18,9 +18,9 @@ struct Sides {
   Mask own;      ///< what belongs to the clicks inside
   Mask rival;    ///< other parts that have a click, or are at least 5 mm deep
   Mask perhaps;  ///< the doubtful body, see below
-  /// The largest body that nobody clicked (parts that share wide faces are one) and that hangs on what is
-  /// owned by more than seams, though not widely: it may be a lobe behind a tumour as well as an organ that
-  /// lies against it.
+  /// The largest body that nobody clicked and that hangs on what is owned, or on others that do, by more than
+  /// seams, though not widely (parts that share wide faces are judged as one): it may be a lobe behind a
+  /// tumour, or of another grey, as well as an organ that lies against it.
   double doubtful_ml = 0.0;                            ///< 0: there is none
   Eigen::Vector3i doubtful = Eigen::Vector3i::Zero();  ///< the voxel where it is deepest
 };
