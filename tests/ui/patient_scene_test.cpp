@@ -53,6 +53,7 @@ class PatientSceneTest : public QObject {
   void HiddenStructureIsNotDrawn();
   void SliceIsDrawnUnmirrored();
   void CloudAndMarkersAppearAndGo();
+  void TheLiverFillsTheViewWhateverHangsOnIt();
   void TubesFollowTheirRadii();
   void SimplifiedKeepsShape();
   void WrongNodesAreRefused();
@@ -214,6 +215,27 @@ void PatientSceneTest::CloudAndMarkersAppearAndGo() {
   patient.set_cloud({});
   patient.set_markers({});
   QCOMPARE(pixels_that_differ(before, draw(patient)), 0);
+}
+
+void PatientSceneTest::TheLiverFillsTheViewWhateverHangsOnIt() {
+  PatientModel model = box_patient();
+  model.surfaces.push_back(model.surfaces.back());
+  model.surfaces.back().structure = structure::kVenaCava;
+  model.surfaces.back().mesh.vertices.col(2).array() += 0.3;
+  scene::PatientScene patient;
+  patient.set_model(model);
+  const auto width = [&] {
+    const auto right = patient.view_point({-0.06, 0, 0}, kAspect),
+               left = patient.view_point({0.06, 0, 0}, kAspect);
+    return right && left ? std::abs(left->x() - right->x()) : 0.0;
+  };
+  patient.look_from(scene::ViewFrom::anterior);
+  const double beside_all = width();
+  patient.look_from(scene::ViewFrom::anterior, scene::InView::liver);
+  const double alone = width();
+  QVERIFY2(alone > 2.0 * beside_all && alone < 1.0, qPrintable(QString::number(alone)));
+  patient.keep_in_view();
+  QCOMPARE(width(), alone);
 }
 
 void PatientSceneTest::TubesFollowTheirRadii() {

@@ -181,7 +181,7 @@ void OrganView::refresh() {
     drawn_ = drawable;
   }
   draw(followed);
-  if (looked_at_ != registration) view_->patient().look_from(scene::ViewFrom::camera);
+  if (looked_at_ != registration) view_->patient().look_from(scene::ViewFrom::camera, scene::InView::liver);
   looked_at_ = registration;
   view_->update();
 }

@@ -99,8 +99,7 @@ struct PatientScene::Impl {
   std::map<Label, double> opacity{{structure::kParenchyma, 0.35}};
   bool mesh_visible = false, slices_visible = true, skeleton_visible = false;
   ClosestPointTree skin;
-  std::optional<ViewFrom> looked_from;  ///< by look_from(), last
-  /// Where it set the viewer.
+  std::optional<std::pair<ViewFrom, InView>> looked;  ///< by look_from(), last, which set the viewer so:
   Eigen::Vector3d set_at = Eigen::Vector3d::Zero(), set_up = Eigen::Vector3d::Zero();
 
   void remove(std::unique_ptr<Shape>& shape) {
@@ -424,7 +423,7 @@ void PatientScene::set_slices_visible(bool visible) {
     if (slice) slice->shape->actor->SetVisibility(visible ? 1 : 0);
 }
 
-void PatientScene::look_from(ViewFrom from) {
+void PatientScene::look_from(ViewFrom from, InView what) {
   struct Look {
     Eigen::Vector3d direction, up;  // LPS: from the viewer to the patient
   };
@@ -439,10 +438,13 @@ void PatientScene::look_from(ViewFrom from) {
   view.SetFocalPoint(0, 0, 0);
   view.SetPosition((-look.direction).eval().data());
   view.SetViewUp(look.up.data());
-  impl_->renderer->ResetCamera();
+  if (what == InView::liver && impl_->mesh)
+    impl_->renderer->ResetCamera(impl_->mesh->data->GetBounds());
+  else
+    impl_->renderer->ResetCamera();
   view.Dolly(kFillView);
   impl_->renderer->ResetCameraClippingRange();
-  impl_->looked_from = from;
+  impl_->looked = {from, what};
   impl_->set_at = Eigen::Map<const Eigen::Vector3d>(view.GetPosition());
   impl_->set_up = Eigen::Map<const Eigen::Vector3d>(view.GetViewUp());
 }
@@ -450,7 +452,8 @@ void PatientScene::look_from(ViewFrom from) {
 void PatientScene::keep_in_view() {
   vtkCamera& view = *impl_->renderer->GetActiveCamera();
   const Eigen::Map<const Eigen::Vector3d> at(view.GetPosition()), up(view.GetViewUp());
-  if (impl_->looked_from && at == impl_->set_at && up == impl_->set_up) look_from(*impl_->looked_from);
+  if (impl_->looked && at == impl_->set_at && up == impl_->set_up)
+    look_from(impl_->looked->first, impl_->looked->second);
 }
 
 ViewLetters PatientScene::view_letters() const {

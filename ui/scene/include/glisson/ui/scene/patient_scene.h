@@ -28,6 +28,9 @@ struct Marker {
 
 /// From where the patient is looked at.
 enum class ViewFrom { anterior, posterior, right, left, superior, inferior, camera };
+/// What a view is to hold at first. `liver`: its surface, whatever hangs on it, as the vena cava does; all
+/// where there is no model.
+enum class InView { everything, liver };
 
 /// Which side of the patient lies towards each edge of the view: "R", or "RA" for an oblique view.
 struct ViewLetters {
@@ -83,9 +86,9 @@ class PatientScene {
   /// frame, metres.
   void set_highlight(const TriangleMesh& surface);
 
-  /// Whole scene in view. `camera` looks along +z with y down (the laparoscope's own view).
-  void look_from(ViewFrom from);
-  /// The view has another size: the whole scene is in it again, unless somebody has moved the viewer since
+  /// `camera` looks along +z with y down (the laparoscope's own view).
+  void look_from(ViewFrom from, InView what = InView::everything);
+  /// The view has another size: the same is in it again, unless somebody has moved the viewer since
   /// look_from().
   void keep_in_view();
   /// @pre the scene is in the CT's frame.
