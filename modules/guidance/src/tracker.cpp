@@ -18,7 +18,9 @@
 #include "hand_corrections.h"
 #include "held_out.h"
 #include "judge.h"
+#include "look_again.h"
 #include "point_memory.h"
+#include "reduced_views.h"
 #include "relocator.h"
 #include "stereo_follower.h"
 
@@ -32,10 +34,6 @@ constexpr double kMissing = 0.1;
 /// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
 /// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
-/// Seconds. After kLost without an overlay the organ is looked for by its texture: every kLookAgain during
-/// kEager, then every kLookSeldom. An attempt takes about as long as three frames, so it must not be made
-/// often for long.
-constexpr double kLost = 0.1, kEager = 1.0, kLookAgain = 0.1, kLookSeldom = 0.3;
 /// Metres. Where the organ is found this near, it was not lost.
 constexpr double kFoundElsewhere = 2e-3;
 constexpr int kLeastLooks = 3;          ///< of fresh stereo at the tissue, before they say anything together
@@ -81,7 +79,11 @@ struct Tracker::Impl {
     return options;
   }
 
-  void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
+  void begin(const StereoRig& whole, const StereoFrame& whole_first, const Picture& whole_mask) {
+    const ReducedViews reduced(whole);
+    reduced.require_frame(whole_first);
+    const StereoRig& rig = reduced.rig();
+    const StereoFrame first = reduced.reduced(whole_first);
     FollowerOptions follow;
     follow.points = options.points;
     follow.forward_backward_px = options.forward_backward_px;
@@ -89,12 +91,14 @@ struct Tracker::Impl {
     follow.window_px = options.window_px;
     follow.levels = options.levels;
     if (options.hold_start) body.rest_here();
-    parts = seen_parts(first, rig, mask);
+    parts = seen_parts(first, rig, reduced.reduced_mask(whole_mask));
+    views = reduced;
+    followed_mask = reduced.reduced(given_mask);
     follower.emplace(rig, follow);
     follower->begin(first, parts);
     anchors.clear();
     memory.emplace(rig);
-    hand.emplace(patient, rig, options.hold_start ? body.composite() : body.resting_in(body.positions()),
+    hand.emplace(patient, whole, options.hold_start ? body.composite() : body.resting_in(body.positions()),
                  body.surface());
     frames = last_valid = 0;
     last = {};
@@ -103,7 +107,7 @@ struct Tracker::Impl {
     camera = rig.left;
     seen = seen_area(body.surface().mesh(), camera);
     held_out.emplace(rig, options.window_px, options.most_masked);
-    held_out->take(given_mask, first.seconds, body.surface().mesh());
+    held_out->take(followed_mask, first.seconds, body.surface().mesh());
     replenish();
     held_out->remember(first.index, first.seconds, follower->points());
     relocator = std::make_unique<Relocator>(rig, parts.tissue);
@@ -111,7 +115,7 @@ struct Tracker::Impl {
     clock = {};
     clock.tick(first.seconds);
     since_key_frame = 0.0;
-    lost_at.reset();
+    look_again = {};
     judge.reset();
     is_believed = true;
     few_points = std::make_unique<FewPoints>(rig, first, options.judge);
@@ -125,7 +129,7 @@ struct Tracker::Impl {
   /// that never were on it.
   void hold_out(const StereoFrame& frame, OverlayFrame& overlay) {
     held_out->remember(frame.index, frame.seconds, follower->points());
-    held_out->take(given_mask, frame.seconds, body.surface().mesh());
+    held_out->take(followed_mask, frame.seconds, body.surface().mesh());
     follower->keep(held_out->free(follower->points()));
     memory->forget(held_out->never_liver());
     overlay.mask = held_out->use();
@@ -168,21 +172,6 @@ struct Tracker::Impl {
     body.move(fit_rigid_motion(modelled, seen_now, {}));
   }
 
-  /// Whether it is time to look for the organ by its texture. @param is_lost without an overlay, because it
-  /// is not where it was.
-  bool is_time_to_look(bool is_lost) {
-    if (!is_lost) {
-      lost_at.reset();
-      return false;
-    }
-    if (!lost_at) lost_at = looked_for_at = clock.now() - clock.passed();
-    const bool is_seldom = clock.is_due(*lost_at, kLost + kEager);
-    if (!clock.is_due(*lost_at, kLost) || !clock.is_due(looked_for_at, is_seldom ? kLookSeldom : kLookAgain))
-      return false;
-    looked_for_at = clock.now();
-    return true;
-  }
-
   void look_for_organ(const StereoFrame& frame, Validity validity) {
     // In views that are lost or swapped nothing can be found; a farther or dimmer one may still show the
     // organ.
@@ -197,7 +186,7 @@ struct Tracker::Impl {
       since_key_frame = 0.0;
     }
     // A start that was refuted binds the texture to wrong places: it would be found there again.
-    if (!is_time_to_look(is_lost && !is_examined) || !is_believed) return;
+    if (!look_again.is_time(clock, is_lost && !is_examined) || !is_believed) return;
     const auto found = relocator->find(frame.left, body.surface());
     if (!found) return;
     const TriangleMesh& mesh = body.surface().mesh();
@@ -349,7 +338,8 @@ struct Tracker::Impl {
     return places;
   }
 
-  OverlayFrame follow(const StereoFrame& frame) {
+  OverlayFrame follow(const StereoFrame& whole) {
+    const StereoFrame frame = views ? views->reduced(whole) : whole;
     ++frames;
     clock.tick(frame.seconds);
     OverlayFrame overlay;
@@ -414,9 +404,10 @@ struct Tracker::Impl {
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   std::optional<PointMemory> memory;
-  std::optional<HandCorrections> hand;  ///< from begin() on
-  std::shared_ptr<const PictureMask> given_mask;
-  std::optional<HeldOut> held_out;  ///< from begin() on
+  std::optional<HandCorrections> hand;                           ///< from begin() on
+  std::optional<ReducedViews> views;                             ///< from begin() on
+  std::shared_ptr<const PictureMask> given_mask, followed_mask;  ///< as it came; of the reduced views
+  std::optional<HeldOut> held_out;                               ///< from begin() on
   struct GoingOver {
     Points way_back;  ///< to the former shape, metres, as registered
     double since = 0.0;
@@ -431,11 +422,10 @@ struct Tracker::Impl {
   std::unique_ptr<FewPoints> few_points;  ///< likewise
   std::unique_ptr<Relocator> relocator;   ///< likewise
   SeenParts parts;
-  bool is_believed = true;        ///< surfaces did not refute the start, or a frame was valid since
-  FrameClock clock;               ///< since begin()
-  double since_key_frame = 0.0;   ///< seconds of valid frames
-  std::optional<double> lost_at;  ///< the last frame with an overlay; empty: it has one
-  double looked_for_at = 0.0;     ///< since then
+  bool is_believed = true;       ///< surfaces did not refute the start, or a frame was valid since
+  FrameClock clock;              ///< since begin()
+  double since_key_frame = 0.0;  ///< seconds of valid frames
+  LookAgain look_again;
   Camera camera;
   bool doubtful = false;
   double seen = 0.0;  ///< area of the model in the picture, square metres
@@ -466,7 +456,10 @@ void Tracker::begin(const StereoRig& rig, const StereoFrame& first, const Pictur
   impl_->begin(rig, first, mask);
 }
 
-void Tracker::see(std::shared_ptr<const PictureMask> not_liver) { impl_->given_mask = std::move(not_liver); }
+void Tracker::see(std::shared_ptr<const PictureMask> not_liver) {
+  impl_->given_mask = std::move(not_liver);
+  if (impl_->views) impl_->followed_mask = impl_->views->reduced(impl_->given_mask);
+}
 
 OverlayFrame Tracker::follow(const StereoFrame& frame) {
   return timed(impl_->doubtful, [&] { return impl_->follow(frame); });
