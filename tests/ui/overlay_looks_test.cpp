@@ -162,7 +162,7 @@ void OverlayLooksTest::TheWindowFollowsTheChosenLesion() {
   style.ruler = false;
   const auto free = colour(paint(model, style), pixel({0.03, -0.02, 0.0}));
   const auto chosen = colour(paint(model, style, {}, structure::kFirstLesion), pixel({0.015, 0.0, -0.02}));
-  QCOMPARE(chosen, (std::array<int, 3>{50, 50, 50}));  // tissue steps back
+  for (const int value : chosen) QVERIFY(std::abs(value - 49.5) <= 1.0);  // tissue steps back by 0.45
   QVERIFY(free != kGrey);
   // The pointer goes before the lesion.
   const auto elsewhere = colour(paint(model, style, pixel({-0.05, 0.0, 0.0}), structure::kFirstLesion),

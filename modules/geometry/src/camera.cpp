@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/core/error.h"
+
 namespace glisson {
 namespace {
 
@@ -116,6 +118,22 @@ std::optional<Eigen::Vector3d> Camera::mapped_ray(const Eigen::Vector2d& pixel) 
   const Eigen::Vector3d found = ray(pixel);
   if (!maps(found) || !((project(found) - pixel).norm() < kSame)) return std::nullopt;
   return found;
+}
+
+Camera reduced(const Camera& camera, int times) {
+  require(times >= 1, "a camera is reduced by a whole number");
+  Camera small = camera;
+  small.width = camera.width / times;
+  small.height = camera.height / times;
+  // Pixel (0, 0) is a pixel's centre: that of `times` side by side lies half of the others farther on.
+  small.matrix.topRows<2>() /= times;
+  small.matrix.topRightCorner<2, 1>().array() -= 0.5 * (times - 1) / times;
+  return small;
+}
+
+int reduction_of(int width) {
+  constexpr int kUsual = 960;
+  return std::max(1, width / kUsual);
 }
 
 }  // namespace glisson

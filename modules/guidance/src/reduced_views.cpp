@@ -4,20 +4,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "picture_view.h"
-#include "pixel_scale.h"
 
 namespace glisson::guidance {
 namespace {
-
-/// Pixel (0, 0) is a pixel's centre: `times` of them side by side have theirs half of the others farther on.
-Camera reduced_camera(const Camera& camera, int times) {
-  Camera small = camera;
-  small.width = camera.width / times;
-  small.height = camera.height / times;
-  small.matrix.topRows<2>() /= times;
-  small.matrix.topRightCorner<2, 1>().array() -= 0.5 * (times - 1) / times;
-  return small;
-}
 
 /// What is left of whole blocks of `times` pixels.
 cv::Mat blocks_of(const Picture& picture, const Camera& small, int times) {
@@ -36,9 +25,9 @@ bool fits(const Picture& picture, const Camera& camera) {
 }  // namespace
 
 ReducedViews::ReducedViews(const StereoRig& rig)
-    : whole_(rig), small_(rig), times_(static_cast<int>(pixel_scale(rig.left.width))) {
-  small_.left = reduced_camera(rig.left, times_);
-  small_.right = reduced_camera(rig.right, times_);
+    : whole_(rig), small_(rig), times_(reduction_of(rig.left.width)) {
+  small_.left = glisson::reduced(rig.left, times_);
+  small_.right = glisson::reduced(rig.right, times_);
 }
 
 void ReducedViews::require_frame(const StereoFrame& frame) const {

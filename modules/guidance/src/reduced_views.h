@@ -8,10 +8,10 @@
 
 namespace glisson::guidance {
 
-/// The views at the size at which they are followed: pictures twice and more as wide as those that
-/// pixel_scale() knows are made smaller by a whole number, each pixel the mean of those that it stands for.
-/// What is followed, how it is judged and what it costs are those of the smaller picture; the organ is told
-/// in the camera's frame, so that it is drawn at the picture's own size.
+/// The views at the size at which they are followed: larger ones are made smaller (reduction_of()), each
+/// pixel the mean of those that it stands for. What is followed, how it is judged and what it costs are those
+/// of the smaller picture; the organ is told in the camera's frame, so that it is drawn at the picture's own
+/// size.
 class ReducedViews {
  public:
   /// @param rig of the views as they come.

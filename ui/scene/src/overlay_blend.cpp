@@ -36,11 +36,17 @@ cv::Vec4b veil_of(const cv::Vec3f& colour, float alpha) {
   return {byte(alpha * colour[0]), byte(alpha * colour[1]), byte(alpha * colour[2]), byte(255.0F * alpha)};
 }
 
-void mix(cv::Vec3b& pixel, const cv::Vec3f& colour, float alpha) {
+/// Lays a colour over what is there.
+void mix(cv::Vec4b& there, const cv::Vec3f& colour, float alpha) {
   for (int c = 0; c < 3; ++c)
-    pixel[c] =
-        cv::saturate_cast<std::uint8_t>((1.0F - alpha) * static_cast<float>(pixel[c]) + alpha * colour[c]);
+    there[c] =
+        cv::saturate_cast<std::uint8_t>((1.0F - alpha) * static_cast<float>(there[c]) + alpha * colour[c]);
+  there[3] = cv::saturate_cast<std::uint8_t>((1.0F - alpha) * static_cast<float>(there[3]) + 255.0F * alpha);
 }
+
+/// Nothing shines through, for lines of OpenCV's.
+cv::Scalar solid(double blue, double green, double red) { return {blue, green, red, 255.0}; }
+cv::Scalar solid(const cv::Vec3f& colour) { return solid(colour[0], colour[1], colour[2]); }
 
 /// A silhouette of the structure at this pixel: its neighbour shows another one, none, or one far behind.
 bool on_edge(const SurfaceLayer& layer, int row, int column, std::size_t pixel) {
@@ -66,9 +72,9 @@ class Window {
   bool is_there() const { return is_there_; }
   float radius() const { return radius_; }
   const Eigen::Vector2f& centre() const { return centre_; }
-  /// All that is inside.
+  /// All that is inside, and its line.
   cv::Rect box() const {
-    const int reach = static_cast<int>(std::ceil(radius_)) + 1;
+    const int reach = static_cast<int>(std::ceil(radius_)) + 4;
     return {static_cast<int>(std::floor(centre_.x())) - reach,
             static_cast<int>(std::floor(centre_.y())) - reach, 2 * reach + 1, 2 * reach + 1};
   }
@@ -177,27 +183,31 @@ Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style, const W
 }
 
 /// Inside the window tissue steps back: what is drawn there lies in it, not on it.
-void open_window(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
+void open_window(Veil& veil, const OverlayLayers& layers, const Window& window) {
   if (!window.is_there()) return;
-  const cv::Rect box = window.box() & cv::Rect(0, 0, picture.cols, picture.rows);
+  const cv::Rect box = window.box() & cv::Rect(0, 0, veil.cols, veil.rows);
   for (int v = box.y; v < box.y + box.height; ++v)
     for (int u = box.x; u < box.x + box.width; ++u)
-      if (layers.liver.kind[layers.liver.at(v, u)] != 0) picture(v, u) *= 1.0F - 0.45F * window.at(v, u);
+      if (layers.liver.kind[layers.liver.at(v, u)] != 0) mix(veil(v, u), {0, 0, 0}, 0.45F * window.at(v, u));
   const cv::Point centre(cvRound(window.centre().x()), cvRound(window.centre().y()));
-  cv::circle(picture, centre, cvRound(window.radius()), cv::Scalar(20, 20, 20), 3, cv::LINE_AA);
-  cv::circle(picture, centre, cvRound(window.radius()), cv::Scalar(200, 200, 200), 1, cv::LINE_AA);
+  cv::circle(veil, centre, cvRound(window.radius()), solid(20, 20, 20), 3, cv::LINE_AA);
+  cv::circle(veil, centre, cvRound(window.radius()), solid(200, 200, 200), 1, cv::LINE_AA);
 }
 
-void lay(cv::Mat3b picture, const Veil& veil) {
-  cv::parallel_for_(cv::Range(0, picture.rows), [&](const cv::Range& rows) {
+/// What remains of a value below something of that opacity.
+int shining_through(int value, int opacity) { return ((255 - opacity) * value + 127) / 255; }
+
+/// @param Pixel of a picture, or of a veil, whose opacity grows by the same rule.
+template <class Pixel>
+void lay(cv::Mat_<Pixel> below, const Veil& veil) {
+  cv::parallel_for_(cv::Range(0, below.rows), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v)
-      for (int u = 0; u < picture.cols; ++u) {
+      for (int u = 0; u < below.cols; ++u) {
         const cv::Vec4b& over = veil(v, u);
         if (over[3] == 0) continue;
-        for (int c = 0; c < 3; ++c) {
-          const int below = ((255 - over[3]) * picture(v, u)[c] + 127) / 255;
-          picture(v, u)[c] = static_cast<std::uint8_t>(std::min(255, below + over[c]));
-        }
+        Pixel& pixel = below(v, u);
+        for (int c = 0; c < Pixel::channels; ++c)
+          pixel[c] = static_cast<std::uint8_t>(std::min(255, shining_through(pixel[c], over[3]) + over[c]));
       }
   });
 }
@@ -209,7 +219,7 @@ bool is_hidden(const OverlayLayers& layers, std::size_t pixel) {
 }
 
 /// One pass over the picture. @return where each lesion is seen, by its label.
-std::array<cv::Rect, 256> lay_bodies(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
+std::array<cv::Rect, 256> lay_bodies(Veil& veil, const OverlayLayers& layers, const Window& window) {
   std::array<cv::Rect, 256> seen{};
   const SurfaceLayer& lesions = layers.lesions;
   const PixelBox& touched = lesions.touched;
@@ -223,14 +233,14 @@ std::array<cv::Rect, 256> lay_bodies(cv::Mat3b& picture, const OverlayLayers& la
       const float inside = window.at(v, u);
       const float veiled = (u - v + 4096) % kHatchPeriod < 2 ? 0.45F : 0.22F;
       const float solid = is_hidden(layers, pixel) ? 0.0F : 0.85F;
-      mix(picture(v, u), bgr(lesions.kind[pixel]) * (0.6F + 0.4F * facing),
+      mix(veil(v, u), bgr(lesions.kind[pixel]) * (0.6F + 0.4F * facing),
           inside * solid + (1.0F - inside) * veiled);
     }
   return seen;
 }
 
-void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
-  const std::array<cv::Rect, 256> seen = lay_bodies(picture, layers, window);
+void lay_lesions(Veil& veil, const OverlayLayers& layers, const Window& window) {
+  const std::array<cv::Rect, 256> seen = lay_bodies(veil, layers, window);
   const SurfaceLayer& lesions = layers.lesions;
   for (std::size_t lesion = 1; lesion < seen.size(); ++lesion) {
     const cv::Rect& box = seen[lesion];
@@ -243,25 +253,25 @@ void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers, const Window& 
       }
     std::vector<std::vector<cv::Point>> contours;
     cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, box.tl());
-    cv::polylines(picture, contours, true, cv::Scalar(20, 20, 20), 4, cv::LINE_AA);
-    cv::polylines(picture, contours, true, cv::Scalar(bgr(static_cast<Label>(lesion))), 2, cv::LINE_AA);
+    cv::polylines(veil, contours, true, solid(20, 20, 20), 4, cv::LINE_AA);
+    cv::polylines(veil, contours, true, solid(bgr(static_cast<Label>(lesion))), 2, cv::LINE_AA);
   }
 }
 
-void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver, bool is_bold) {
+void lay_outline(Veil& veil, const SurfaceLayer& liver, bool is_bold) {
   const cv::Mat1b mask(liver.height, liver.width, const_cast<std::uint8_t*>(liver.kind.data()));
   // With room for a smooth line's width.
   const cv::Rect box = rect_of(liver.touched.around(kBoldLine + 2, liver.width, liver.height));
   if (box.empty()) return;
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask(box), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, box.tl());
-  const cv::Rect inside = box & cv::Rect(1, 1, picture.cols - 2, picture.rows - 2);
+  const cv::Rect inside = box & cv::Rect(1, 1, veil.cols - 2, veil.rows - 2);
   const auto draw = [&](int width, const cv::Vec3f& colour, float opacity) {
-    cv::Mat1b line = cv::Mat1b::zeros(picture.size());
+    cv::Mat1b line = cv::Mat1b::zeros(veil.size());
     cv::polylines(line, contours, true, cv::Scalar(255), width, cv::LINE_AA);
     for (int v = inside.y; v < inside.y + inside.height; ++v)
       for (int u = inside.x; u < inside.x + inside.width; ++u)  // the picture's own border is no outline
-        if (line(v, u) != 0) mix(picture(v, u), colour, opacity * static_cast<float>(line(v, u)) / 255.0F);
+        if (line(v, u) != 0) mix(veil(v, u), colour, opacity * static_cast<float>(line(v, u)) / 255.0F);
   };
   if (!is_bold) return draw(1, kOutlineColour, 0.5F);
   draw(kBoldLine + 2, {20, 20, 20}, 0.6F);
@@ -270,16 +280,29 @@ void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver, bool is_bold) {
 
 }  // namespace
 
-void blend_layers(Canvas& frame, const OverlayLayers& layers, const OverlayStyle& style,
+void blend_layers(Canvas& frame, OverlayLayers& layers, const OverlayStyle& style,
                   const std::optional<Eigen::Vector2d>& focus) {
+  const int width = layers.liver.width, height = layers.liver.height, times = frame.width / width;
   cv::Mat3b picture(frame.height, frame.width, reinterpret_cast<cv::Vec3b*>(frame.bytes->data()));
-  const Window window(layers.liver, style, focus);
-  open_window(picture, layers, window);
+  layers.veil.assign(4 * layers.liver.kind.size(), 0);
+  Veil veil(height, width, reinterpret_cast<cv::Vec4b*>(layers.veil.data()));
+  std::optional<Eigen::Vector2d> reduced_focus;
+  if (focus) reduced_focus = ((focus->array() + 0.5) / times - 0.5).matrix();
+  const Window window(layers.liver, style, reduced_focus);
+  open_window(veil, layers, window);
   // With room for the smoothing.
-  const cv::Rect box = rect_of(layers.vessels.touched.around(3, frame.width, frame.height));
-  if (!box.empty()) lay(picture(box), vessel_veil(layers, style, window, box));
-  if (style.outline) lay_outline(picture, layers.liver, style.bold_outline);
-  lay_lesions(picture, layers, window);
+  const cv::Rect vessels = rect_of(layers.vessels.touched.around(3, width, height));
+  if (!vessels.empty()) lay<cv::Vec4b>(veil(vessels), vessel_veil(layers, style, window, vessels));
+  if (style.outline) lay_outline(veil, layers.liver, style.bold_outline);
+  lay_lesions(veil, layers, window);
+  // All that was drawn: within the liver and its lines, or the window.
+  cv::Rect drawn = rect_of(layers.liver.touched.around(kBoldLine + 2, width, height));
+  if (window.is_there()) drawn |= window.box() & cv::Rect(0, 0, width, height);
+  if (drawn.empty()) return;
+  if (times == 1) return lay<cv::Vec3b>(picture(drawn), veil(drawn));
+  Veil grown;
+  cv::resize(veil(drawn), grown, drawn.size() * times, 0.0, 0.0, cv::INTER_LINEAR);
+  lay<cv::Vec3b>(picture(cv::Rect(drawn.tl() * times, grown.size())), grown);
 }
 
 }  // namespace glisson::scene

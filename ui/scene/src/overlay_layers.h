@@ -21,6 +21,7 @@ struct OverlayLayers {
   SurfaceLayer liver, vessels, lesions;
   std::vector<float> sight;  ///< of each pixel's ray, metres along it for one along the camera's axis
   std::vector<ProjectedSurface> projected;  ///< memory for draw_layers()
+  std::vector<std::uint8_t> veil;           ///< memory for blend_layers()
 };
 
 /// Draws into layers that may hold a former picture: what is there is taken away, its memory is used again.

@@ -78,11 +78,11 @@ struct OverlayPainter::Impl {
        const OverlayStyle& look)
       : camera(view),
         style(look),
-        raster(view),
+        raster(reduced(view, reduction_of(view.width))),
         drawable(std::move(surfaces)),
         model(drawable->model),
         structures(inner_structures(*model)),
-        layers(view) {
+        layers(reduced(view, reduction_of(view.width))) {
     if (anterior_margin.rows() > 0) margin = bind_points(model->mesh, anterior_margin);
   }
 

@@ -44,6 +44,15 @@ struct Camera {
   }
 };
 
+/// The same lens before a chip of wider pixels, each of which stands for `times` x `times` of the camera's:
+/// what a picture shows of which so many pixels were averaged. What is left over on the right and below is
+/// cut off.
+/// @pre times is 1 or more
+Camera reduced(const Camera& camera, int times);
+/// By which whole number pictures of that width are made smaller before they are followed and drawn over: 1
+/// up to 1919 pixels, 2 from 1920 on, 4 from 3840 on.
+int reduction_of(int width);
+
 /// A calibrated stereo laparoscope.
 struct StereoRig {
   Camera left, right;
