@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the frame to the screen: tracking, drawing, bringing to the screen's size and painting of each frame
-// at 960x540 with 300 points a camera, one after the other, as percentiles; and beside it, in the same run,
-// OpenCV's own pyramidal Lucas-Kanade of as many corners of the same pictures, there and back in both views.
-// The synthetic patient, breathing before a laparoscope that a hand moves. Needs no display.
-//   build/bench/benchmarks/live_benchmark [FRAMES]
+// at 960x540, or another size, with 300 points a camera, one after the other, as percentiles; and beside it,
+// in the same run, OpenCV's own pyramidal Lucas-Kanade of as many corners of the same pictures, there and
+// back in both views. The synthetic patient, breathing before a laparoscope that a hand moves. Needs no
+// display.
+//   build/bench/benchmarks/live_benchmark [FRAMES [WIDTH HEIGHT]]
 #include <QApplication>
 #include <algorithm>
 #include <array>
@@ -37,7 +38,7 @@ struct Film {
   std::vector<StereoFrame> frames;
 };
 
-Film make_film(int frames) {
+Film make_film(int frames, QSize size) {
   auto synthetic = experiments::synthetic_model(1, RunContext());
   Film film;
   film.model = synthetic->model;
@@ -47,6 +48,8 @@ Film make_film(int frames) {
   shown.landmarks = std::move(synthetic->patient.landmarks);
   insilico::TheatreOptions options;
   options.frames = frames;
+  options.width = size.width();
+  options.height = size.height();
   const auto theatre = insilico::Theatre::build(shown, options, RunContext());
   (*theatre)->move_scope(insilico::ScopePath::in_a_hand());
   film.rig = (*theatre)->rig();
@@ -123,7 +126,8 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   const int frames = argc > 1 ? std::atoi(argv[1]) : 300;
   require(frames >= 10, "ten frames tell nothing less");
-  const Film film = make_film(frames);
+  const QSize size = argc > 3 ? QSize(std::atoi(argv[2]), std::atoi(argv[3])) : QSize(960, 540);
+  const Film film = make_film(frames, size);
   Registration start;
   start.nodes_in_camera = film.start;
   guidance::TrackerOptions options;

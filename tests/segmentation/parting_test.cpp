@@ -198,7 +198,7 @@ void PartingTest::ASeamIsFoundAndNoiseIsNone() {
   for (float& value : ct.values) value += noise(random);
   const Mask all = body(ct, [](const Eigen::Vector3d&) { return true; });
   const Mask away = body(ct, [&](const Eigen::Vector3d& p) { return p.x() < 40.0; });
-  const Mask seams = dark_sheets(ct, all, away);
+  const Mask seams = DarkSheets(ct, all).unlike(away);
   long found = 0, of = 0, wrong = 0, others = 0;
   for (int k = 4; k + 4 < ct.size.z(); ++k)
     for (int j = 4; j + 4 < ct.size.y(); ++j)

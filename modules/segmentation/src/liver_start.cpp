@@ -14,8 +14,9 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kNeck = 6.0;  // mm, half the width of the passages that the start closes
-constexpr double kSeamWidth = 2.2, kSeamTypical = 10.0;  // of the widest tissue; mm around a click
+constexpr double kNeck = 6.0;       // mm, half the width of the passages that the start closes
+constexpr double kSeamWidth = 2.2;  // of the widest tissue
+constexpr double kSeamTypical = 10.0, kSeamDepth = 5.0;  // mm around a click; below the surface
 constexpr double kSeamClosed = 2.0;                      // mm
 constexpr int kStartRounds = 2;
 constexpr double kBetween = 0.6, kOfEither = 0.1;  // of the view, within what two bodies enclose
@@ -66,14 +67,29 @@ std::vector<Eigen::Vector3i> moved(const std::vector<Eigen::Vector3i>& places, c
   return result;
 }
 
-/// The seams between organs around the clicks, on the parting's voxels.
-Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& seeds) {
-  Mask where = view.ct.empty_mask(), typical = where;
+/// What may be a seam between organs, on the parting's voxels.
+DarkSheets sheets_of(const PartingView& view, const Tissue& tissue) {
+  Mask where = view.ct.empty_mask();
   const auto width = static_cast<float>(kSeamWidth * kMostLiverSigma);
   for (std::size_t i = 0; i < where.voxels.size(); ++i)
     where.voxels[i] = std::abs(view.ct.values[i] - static_cast<float>(tissue.mean)) < width;
-  for (const Eigen::Vector3i& p : seeds.inside) typical.voxels[typical.offset(p.x(), p.y(), p.z())] = 1;
-  return dark_sheets(view.raw, where, dilated(typical, kSeamTypical));
+  return {view.raw, where};
+}
+
+/// Around the clicks: tissue without seams, as long as no more is known.
+Mask around(const Field& field, const std::vector<Eigen::Vector3i>& clicks) {
+  Mask places = field.empty_mask();
+  for (const Eigen::Vector3i& p : clicks) places.voxels[field.offset(p)] = 1;
+  return dilated(places, kSeamTypical);
+}
+
+/// What lies within what was found: far more than some clicks' surroundings, one of which may hold a fissure.
+Mask within(const LiverStart& found, const Field& ct, const PartingView& view) {
+  Mask inner = nearest(found.own, ct, view.ct);
+  const std::vector<float> depth2 = squared_depth_mm2(inner);
+  for (std::size_t i = 0; i < inner.voxels.size(); ++i)
+    inner.voxels[i] = depth2[i] > static_cast<float>(kSeamDepth * kSeamDepth);
+  return inner;
 }
 
 /// Where the contour starts: what the clicks inside own of the tissue that is wider than a neck.
@@ -160,7 +176,8 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
   };
   const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct),
                               moved(seeds.lesions, ct, view.ct)};
-  const Mask seams = seams_of(view, tissue, view_seeds);
+  const DarkSheets sheets = sheets_of(view, tissue);
+  Mask seams = sheets.unlike(around(view.ct, view_seeds.inside));
   LiverStart parted;
   for (int round = 0; round < kStartRounds; ++round) {
     if (context.cancelled()) return std::nullopt;
@@ -169,6 +186,7 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
     if (!next) return std::nullopt;
     parted = std::move(*next);
     learn_from(parted);
+    seams = sheets.unlike(within(parted, ct, view));
   }
   if (parted.doubtful.ml > 0.0) {
     // A tumour is no neck, though nobody has clicked it.

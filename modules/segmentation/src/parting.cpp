@@ -340,22 +340,25 @@ class Parting {
 
 }  // namespace
 
-Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical) {
+DarkSheets::DarkSheets(const Field& ct, const Mask& where)
+    : where_(where), response_(ct.values.size(), 0.0F) {
   Field blurred = ct;
   smooth(blurred, kSeamBlur);
-  std::vector<float> response(ct.values.size(), 0.0F), usual;
   for (int k = 1; k + 1 < ct.size.z(); ++k)
     for (int j = 1; j + 1 < ct.size.y(); ++j)
-      for (int i = 1; i + 1 < ct.size.x(); ++i) {
-        const std::size_t at = ct.offset(i, j, k);
-        if (where.voxels[at] == 0) continue;
-        response[at] = sheet_response(blurred, at);
-        if (typical.voxels[at] != 0) usual.push_back(response[at]);
-      }
-  Mask sheets = ct.empty_mask();
+      for (int i = 1; i + 1 < ct.size.x(); ++i)
+        if (const std::size_t at = ct.offset(i, j, k); where.voxels[at] != 0)
+          response_[at] = sheet_response(blurred, at);
+}
+
+Mask DarkSheets::unlike(const Mask& typical) const {
+  std::vector<float> usual;
+  for (std::size_t i = 0; i < response_.size(); ++i)
+    if (where_.voxels[i] != 0 && typical.voxels[i] != 0) usual.push_back(response_[i]);
+  Mask sheets(where_.size, where_.spacing_mm);
   if (usual.empty()) return sheets;
   const float limit = lower_percentile(std::move(usual), kTypical);
-  for (std::size_t i = 0; i < response.size(); ++i) sheets.voxels[i] = response[i] > limit ? 1 : 0;
+  for (std::size_t i = 0; i < response_.size(); ++i) sheets.voxels[i] = response_[i] > limit ? 1 : 0;
   return sheets;
 }
 

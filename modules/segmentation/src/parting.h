@@ -9,9 +9,17 @@ namespace glisson::segmentation {
 
 /// Thin dark sheets: seams of fat between two organs that lie against each other. Smoothing against noise
 /// would close them.
-/// @param ct not smoothed. @param where is looked at; the rest is 0. @param typical tissue without seams: a
-///   response that 95 % of it stays below is none.
-Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical);
+class DarkSheets {
+ public:
+  /// @param ct not smoothed. @param where is looked at.
+  DarkSheets(const Field& ct, const Mask& where);
+  /// Those darker, against what lies on both sides, than 95 % of tissue without seams.
+  Mask unlike(const Mask& typical) const;
+
+ private:
+  Mask where_;
+  std::vector<float> response_;  ///< HU; 0 where nothing is looked at
+};
 
 /// Tissue that falls apart where it narrows.
 struct Sides {
