@@ -75,9 +75,7 @@ class OverlayTest : public QObject {
  private slots:
   void RendersWithoutADisplayRepeatedly();
   void RendersOnAnotherThread();
-  void DeformedLesionAppearsWhereTheCameraProjectsIt_data();
   void DeformedLesionAppearsWhereTheCameraProjectsIt();
-  void ALargePictureIsDrawnOverAsASmallOneAndStaysSharp();
   void VesselsFadeWithDepthBelowTheSurface();
   void StructuresLeftOutHideNothing();
   void NothingIsDrawnWhenWithdrawn();
@@ -128,15 +126,8 @@ void OverlayTest::RendersOnAnotherThread() {
   QCOMPARE(blue, 255);
 }
 
-void OverlayTest::DeformedLesionAppearsWhereTheCameraProjectsIt_data() {
-  QTest::addColumn<double>("scale");
-  QTest::newRow("640x360") << 1.0;
-  QTest::newRow("1920x1080") << 3.0;
-}
-
 void OverlayTest::DeformedLesionAppearsWhereTheCameraProjectsIt() {
-  QFETCH(double, scale);
-  const Camera camera = laparoscope(scale);
+  const Camera camera = laparoscope();
   PatientModel model = box_patient();
   const Picture frame = grey_frame(camera);
   double worst = 0.0;
@@ -155,46 +146,7 @@ void OverlayTest::DeformedLesionAppearsWhereTheCameraProjectsIt() {
     QVERIFY(changed > 100);
     worst = std::max(worst, (seen - expected).norm());
   }
-  const double allowed = reduction_of(camera.width);  // pixels of what is drawn
-  QVERIFY2(worst < allowed, qPrintable(QStringLiteral("missed by %1 px").arg(worst)));
-}
-
-void OverlayTest::ALargePictureIsDrawnOverAsASmallOneAndStaysSharp() {
-  const Camera large = laparoscope(3.0), small = reduced(large, 2);
-  QCOMPARE(reduction_of(large.width), 2);
-  const PatientModel model = box_patient();
-  scene::OverlayStyle style;
-  style.anterior_margin = style.legend = style.status = false;  // lines and words of the picture's own size
-  scene::OverlayPainter over_large(model, large, style), over_small(model, small, style);
-  const OverlayFrame overlay = at(bent(model.mesh.vertices, {0, 0, 0.13}));
-  const Picture frame = grey_frame(large);
-  auto stripes = std::make_shared<std::vector<std::uint8_t>>(*frame.bytes);
-  for (std::size_t i = 0; i < stripes->size(); ++i)
-    if (i / 3 % 2 == 0) (*stripes)[i] = 130;
-  const Picture sharp{large.width, large.height, 3, stripes};
-  scene::OverlayInterest interest;
-  interest.pointer = Eigen::Vector2d(large.width / 2.0, large.height / 2.0);
-  const Picture whole = over_large.paint(frame, overlay, {}, interest),
-                striped = over_large.paint(sharp, overlay, {}, interest);
-  interest.pointer = Eigen::Vector2d(small.width / 2.0 - 0.25, small.height / 2.0 - 0.25);
-  const Picture half = over_small.paint(grey_frame(small), overlay, {}, interest);
-  const auto value = [](const Picture& picture, int u, int v) {
-    return static_cast<int>((*picture.bytes)[static_cast<std::size_t>(3 * (v * picture.width + u))]);
-  };
-  int drawn = 0, apart = 0;
-  for (int v = 0; v < small.height; ++v)
-    for (int u = 0; u < small.width; ++u) {
-      const int mean = (value(whole, 2 * u, 2 * v) + value(whole, 2 * u + 1, 2 * v) +
-                        value(whole, 2 * u, 2 * v + 1) + value(whole, 2 * u + 1, 2 * v + 1)) /
-                       4;
-      drawn += value(half, u, v) != 90;
-      apart += std::abs(mean - value(half, u, v)) > 20;
-      // Where next to nothing is drawn every pixel is the camera's.
-      if (value(whole, 2 * u, 2 * v) == 90 && value(whole, 2 * u + 1, 2 * v) == 90)
-        QVERIFY(value(striped, 2 * u, 2 * v) - value(striped, 2 * u + 1, 2 * v) >= 38);
-    }
-  QVERIFY2(drawn > 20000, qPrintable(QString::number(drawn)));
-  QVERIFY2(apart < drawn / 50, qPrintable(QStringLiteral("%1 of %2").arg(apart).arg(drawn)));
+  QVERIFY2(worst < 1.0, qPrintable(QStringLiteral("missed by %1 px").arg(worst)));
 }
 
 void OverlayTest::VesselsFadeWithDepthBelowTheSurface() {
