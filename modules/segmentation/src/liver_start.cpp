@@ -186,7 +186,7 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
     if (!next) return std::nullopt;
     parted = std::move(*next);
     learn_from(parted);
-    seams = sheets.unlike(within(parted, ct, view));
+    if (const Mask inner = within(parted, ct, view); inner.count() > 0) seams = sheets.unlike(inner);
   }
   if (parted.doubtful.ml > 0.0) {
     // A tumour is no neck, though nobody has clicked it.
