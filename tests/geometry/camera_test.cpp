@@ -65,6 +65,8 @@ class CameraTest : public QObject {
   void PixelsHaveTheRaysThatTheLensMaps();
   void BeyondTheFoldAPixelGetsTheOutermostRay();
   void CentreOfTheFirstPixelIsTheOrigin();
+  void AReducedCameraHasTheSameRays_data();
+  void AReducedCameraHasTheSameRays();
   void BaselineIsTheTranslation();
   void InverseUndoes();
   void CompositionIsOneAfterTheOther();
@@ -193,6 +195,37 @@ void CameraTest::CentreOfTheFirstPixelIsTheOrigin() {
   const Camera camera = laparoscope(false);
   QVERIFY(camera.sees({0, 0}) && camera.sees({-0.5, -0.5}) && camera.sees({959.4, 539.4}));
   QVERIFY(!camera.sees({-0.6, 10}) && !camera.sees({959.5, 10}) && !camera.sees({10, 539.5}));
+}
+
+void CameraTest::AReducedCameraHasTheSameRays_data() {
+  QTest::addColumn<int>("width");
+  QTest::addColumn<int>("times");
+  QTest::newRow("960") << 960 << 1;
+  QTest::newRow("1280") << 1280 << 1;
+  QTest::newRow("1920") << 1920 << 2;
+  QTest::newRow("odd") << 1921 << 2;
+  QTest::newRow("3840") << 3840 << 4;
+}
+
+void CameraTest::AReducedCameraHasTheSameRays() {
+  QFETCH(int, width);
+  QFETCH(int, times);
+  QCOMPARE(reduction_of(width), times);
+  Camera whole = laparoscope(true);
+  whole.matrix.topRows<2>() *= width / 960.0;
+  whole.width = width;
+  whole.height = 541;
+  const Camera small = reduced(whole, times);
+  QCOMPARE(small.width, width / times);
+  QCOMPARE(small.height, 541 / times);
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.01, -0.02, 0.12), Eigen::Vector3d(-0.04, 0.01, 0.15),
+                                   Eigen::Vector3d(0.03, 0.015, 0.08)}) {
+    // From the picture's edge, not from the first pixel's centre, in pixels that are so much wider.
+    const Eigen::Vector2d from_edge = whole.project(p).array() + 0.5,
+                          reduced_from_edge = small.project(p).array() + 0.5;
+    QVERIFY((from_edge / times - reduced_from_edge).norm() < 1e-9);
+  }
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, reduced(whole, 0));
 }
 
 void CameraTest::BaselineIsTheTranslation() {
