@@ -10463,7 +10463,7 @@
     </message>
     <message>
         <source>The model brought to what the laparoscope sees, and kept there.</source>
-        <translation>Das Modell, zu dem gebracht, was das Laparoskop sieht, und dort gehalten.</translation>
+        <translation>Das Modell wird dorthin gebracht, wo das Laparoskop die Leber sieht, und dort gehalten.</translation>
     </message>
     <message>
         <source>1. Initial registration</source>
