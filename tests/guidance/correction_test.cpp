@@ -263,6 +263,17 @@ void CorrectionTest::APixelPicksWhatIsSeenThere() {
       pick_place(film_.model, film_.nodes, film_.rig, StereoView::left, notch + Eigen::Vector2d(2.0, 1.0));
   QVERIFY(picked && picked->feature == CorrectedFeature::notch);
   QVERIFY((picked->pixel - notch).norm() < 0.1);
+  QCOMPARE(picked->sigma_px, Correction().sigma_px);
+  // Six times as many pixels a side: a hand drags as exactly on the screen, not in pixels.
+  StereoRig large = film_.rig;
+  for (Camera* camera : {&large.left, &large.right}) {
+    camera->width *= 6;
+    camera->height *= 6;
+    camera->matrix.topRows<2>() *= 6.0;
+  }
+  picked = pick_place(film_.model, film_.nodes, large, StereoView::left, 6.0 * notch);
+  QVERIFY(picked && picked->feature == CorrectedFeature::notch);
+  QCOMPARE(picked->sigma_px, 2.0 * Correction().sigma_px);
   const Eigen::Vector3d rim = place(margin(2), film_.nodes);
   for (const StereoView view : kStereoViews) {
     picked =

@@ -6,6 +6,7 @@
 
 #include "filmed_phantom.h"
 #include "glisson/core/error.h"
+#include "glisson/guidance/place_picker.h"
 #include "glisson/guidance/tracker.h"
 
 using namespace glisson;
@@ -165,6 +166,21 @@ void ReducedViewsTest::TheOrganIsFollowedAsInTheSmallerPicture() {
     QCOMPARE(found.pairs, expected.pairs);
     QVERIFY((found.nodes_in_camera - expected.nodes_in_camera).cwiseAbs().maxCoeff() < 1e-9);
   }
+  // A hand drags in the picture as it comes.
+  const StereoFrame last = phantom::film(model, start.nodes_in_camera, small, 4);
+  const OverlayFrame drawn = one.follow(last);
+  other.follow({doubled(last.left), doubled(last.right), last.index, last.seconds});
+  const auto picked = pick_place(model, drawn.nodes_in_camera, small, StereoView::left, {480.0, 130.0});
+  QVERIFY(picked.has_value());
+  Correction drag;
+  drag.place_in_ct = picked->place_in_ct;
+  drag.from = picked->pixel;
+  drag.to = drag.from + Eigen::Vector2d(9.0, -6.0);
+  const OverlayFrame expected = one.correct(drag);
+  QVERIFY((expected.nodes_in_camera - drawn.nodes_in_camera).cwiseAbs().maxCoeff() > 1e-3);
+  for (Eigen::Vector2d* pixel : {&drag.from, &drag.to}) *pixel = 2.0 * (pixel->array() + 0.5) - 0.5;
+  drag.sigma_px *= 2.0;
+  QVERIFY((other.correct(drag).nodes_in_camera - expected.nodes_in_camera).cwiseAbs().maxCoeff() < 1e-9);
 }
 
 QTEST_GUILESS_MAIN(ReducedViewsTest)

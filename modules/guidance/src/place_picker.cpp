@@ -8,6 +8,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
+#include "pixel_scale.h"
 
 namespace glisson::guidance {
 namespace {
@@ -110,15 +111,9 @@ Segments shallow(const PatientModel& model, const VesselTree& tree) {
   return segments;
 }
 
-}  // namespace
-
-std::optional<PickedPlace> pick_place(const PatientModel& model, const Points& nodes_in_camera,
-                                      const StereoRig& rig, StereoView view, const Eigen::Vector2d& pixel,
-                                      double reach_px) {
-  require(nodes_in_camera.rows() == model.mesh.vertex_count(), "a place is picked on this model's nodes");
-  if (!pixel.allFinite()) return std::nullopt;
-  const Shown shown(model, nodes_in_camera, rig, view);
-  const double reach = reach_px < 0.0 ? shown.reach() : reach_px;
+/// What comes first of what lies there.
+std::optional<PickedPlace> find_place(const PatientModel& model, const Shown& shown,
+                                      const Eigen::Vector2d& pixel, double reach) {
   const Landmarks& known = model.landmarks;
   if (auto notch = shown.on_lines(known.umbilical_notch, chain(known.umbilical_notch.rows()),
                                   CorrectedFeature::notch, pixel, reach))
@@ -131,6 +126,19 @@ std::optional<PickedPlace> pick_place(const PatientModel& model, const Points& n
             shown.on_lines(tree.nodes, shallow(model, tree), CorrectedFeature::vessel, pixel, reach))
       return vessel;
   return shown.on_surface(pixel);
+}
+
+}  // namespace
+
+std::optional<PickedPlace> pick_place(const PatientModel& model, const Points& nodes_in_camera,
+                                      const StereoRig& rig, StereoView view, const Eigen::Vector2d& pixel,
+                                      double reach_px) {
+  require(nodes_in_camera.rows() == model.mesh.vertex_count(), "a place is picked on this model's nodes");
+  if (!pixel.allFinite()) return std::nullopt;
+  const Shown shown(model, nodes_in_camera, rig, view);
+  auto place = find_place(model, shown, pixel, reach_px < 0.0 ? shown.reach() : reach_px);
+  if (place) place->sigma_px *= pixel_scale((view == StereoView::left ? rig.left : rig.right).width);
+  return place;
 }
 
 std::optional<Eigen::Vector2d> pixel_of(const PatientModel& model, const Points& nodes_in_camera,

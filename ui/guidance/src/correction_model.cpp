@@ -79,6 +79,7 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
   correction.feature = picked->feature;
   correction.place_in_ct = picked->place_in_ct;
   correction.from = correction.to = picked->pixel;
+  correction.sigma_px = picked->sigma_px;
   correction.gesture = ++gesture_;
   held_ = correction;
   pressed_ = pixel;

@@ -14,6 +14,9 @@ struct PickedPlace {
   CorrectedFeature feature = CorrectedFeature::surface;
   Eigen::Vector3d place_in_ct = Eigen::Vector3d::Zero();  ///< metres
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();        ///< of the view
+  /// Of a hand that drags it there, standard deviation: a Correction's own in pictures up to 960 pixels wide;
+  /// in wider ones the same way on a screen has more pixels.
+  double sigma_px = Correction().sigma_px;
 };
 
 /// What of the drawn model lies under a pixel. What a person can find again in the picture comes first: the
