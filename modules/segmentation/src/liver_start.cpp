@@ -84,8 +84,9 @@ Mask around(const Field& field, const std::vector<Eigen::Vector3i>& clicks) {
 }
 
 /// What lies within what was found: far more than some clicks' surroundings, one of which may hold a fissure.
+/// Its seams are closed first: without what they held the limit would fall from round to round.
 Mask within(const LiverStart& found, const Field& ct, const PartingView& view) {
-  Mask inner = nearest(found.own, ct, view.ct);
+  Mask inner = nearest(closed(found.own, kSeamDepth), ct, view.ct);
   const std::vector<float> depth2 = squared_depth_mm2(inner);
   for (std::size_t i = 0; i < inner.voxels.size(); ++i)
     inner.voxels[i] = depth2[i] > static_cast<float>(kSeamDepth * kSeamDepth);
@@ -176,8 +177,9 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
   };
   const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct),
                               moved(seeds.lesions, ct, view.ct)};
-  const DarkSheets sheets = sheets_of(view, tissue);
-  Mask seams = sheets.unlike(around(view.ct, view_seeds.inside));
+  DarkSheets sheets = sheets_of(view, tissue);
+  sheets.learn(around(view.ct, view_seeds.inside));
+  Mask seams = sheets.sheets();
   LiverStart parted;
   for (int round = 0; round < kStartRounds; ++round) {
     if (context.cancelled()) return std::nullopt;
@@ -186,7 +188,8 @@ Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, con
     if (!next) return std::nullopt;
     parted = std::move(*next);
     learn_from(parted);
-    if (const Mask inner = within(parted, ct, view); inner.count() > 0) seams = sheets.unlike(inner);
+    sheets.learn(within(parted, ct, view));
+    seams = sheets.sheets();
   }
   if (parted.doubtful.ml > 0.0) {
     // A tumour is no neck, though nobody has clicked it.

@@ -30,7 +30,7 @@ struct LiverStart {
   Mask own;      ///< what of it is the liver's
   Mask start;    ///< what of that is wider than a neck: where the contour starts
   Mask rival;    ///< what the clicks outside own
-  Mask perhaps;  ///< the doubtful body
+  Mask perhaps;  ///< the doubtful body's largest piece
   Tissue parenchyma;
   Doubtful doubtful;
 };

@@ -304,9 +304,13 @@ class Parting {
         sides.doubtful_ml = 1e-3 * all.volume_of(n);
       }
     if (found < 0) return;
+    int largest = -1;
+    for (int n = 0; n < static_cast<int>(owned.size()); ++n)
+      if (all.of(n) == found && (largest < 0 || broad.volume_of(broad.of(n)) > broad.volume_of(largest)))
+        largest = broad.of(n);
     float deepest = 0.0F;
     for (std::size_t i = 0; i < part_.size(); ++i) {
-      if (part_[i] < 0 || all.of(part_[i]) != found) continue;
+      if (part_[i] < 0 || broad.of(part_[i]) != largest) continue;
       sides.perhaps.voxels[i] = 1;
       if (depth_[i] <= deepest) continue;
       deepest = depth_[i];
@@ -351,14 +355,16 @@ DarkSheets::DarkSheets(const Field& ct, const Mask& where)
           response_[at] = sheet_response(blurred, at);
 }
 
-Mask DarkSheets::unlike(const Mask& typical) const {
+void DarkSheets::learn(const Mask& typical) {
   std::vector<float> usual;
   for (std::size_t i = 0; i < response_.size(); ++i)
     if (where_.voxels[i] != 0 && typical.voxels[i] != 0) usual.push_back(response_[i]);
+  if (!usual.empty()) limit_ = std::min(limit_, lower_percentile(std::move(usual), kTypical));
+}
+
+Mask DarkSheets::sheets() const {
   Mask sheets(where_.size, where_.spacing_mm);
-  if (usual.empty()) return sheets;
-  const float limit = lower_percentile(std::move(usual), kTypical);
-  for (std::size_t i = 0; i < response_.size(); ++i) sheets.voxels[i] = response_[i] > limit ? 1 : 0;
+  for (std::size_t i = 0; i < response_.size(); ++i) sheets.voxels[i] = response_[i] > limit_ ? 1 : 0;
   return sheets;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "field.h"
 #include "glisson/core/run_context.h"
 #include "liver_start.h"
@@ -13,24 +16,28 @@ class DarkSheets {
  public:
   /// @param ct not smoothed. @param where is looked at.
   DarkSheets(const Field& ct, const Mask& where);
-  /// Those darker, against what lies on both sides, than 95 % of tissue without seams.
-  Mask unlike(const Mask& typical) const;
+  /// What looks like tissue without seams. All of them are only nearly so: a fissure beside a click, a seam
+  /// within what was found, make a limit larger, none makes it smaller. So the least one counts.
+  void learn(const Mask& typical);
+  /// Those darker, against what lies on both sides, than 95 % of such tissue; none before it is known.
+  Mask sheets() const;
 
  private:
   Mask where_;
   std::vector<float> response_;  ///< HU; 0 where nothing is looked at
+  float limit_ = std::numeric_limits<float>::infinity();
 };
 
 /// Tissue that falls apart where it narrows.
 struct Sides {
   Mask own;      ///< what belongs to the clicks inside
   Mask rival;    ///< other parts that have a click, or are at least 5 mm deep
-  Mask perhaps;  ///< the doubtful body, see below
+  Mask perhaps;  ///< of the doubtful body, see below, the largest piece that is one
   /// The largest body that nobody clicked and that hangs on what is owned, or on others that do, by more than
   /// seams, though not widely (parts that share wide faces are judged as one): it may be a lobe behind a
   /// tumour, or of another grey, as well as an organ that lies against it.
   double doubtful_ml = 0.0;                            ///< 0: there is none
-  Eigen::Vector3i doubtful = Eigen::Vector3i::Zero();  ///< the voxel where it is deepest
+  Eigen::Vector3i doubtful = Eigen::Vector3i::Zero();  ///< where that piece is deepest
 };
 
 /// What makes a part the clicks': its face with what they own, of the flat face of a half ball. A lobe that a
