@@ -5,6 +5,7 @@
 #include "box_patient.h"
 #include "glisson/ui/scene/headless_gui.h"
 #include "glisson/ui/scene/overlay_painter.h"
+#include "overlay_frames.h"
 
 namespace glisson {
 
@@ -14,28 +15,6 @@ class OverlaySizeTest : public QObject {
   void ALargePictureIsDrawnOverAsASmallOneAndStaysSharp();
   void ALesionLiesWhereTheCameraProjectsIt();
 };
-
-namespace {
-
-Picture grey_frame(const Camera& camera) {
-  return {camera.width, camera.height, 3,
-          std::make_shared<std::vector<std::uint8_t>>(
-              static_cast<std::size_t>(3 * camera.width * camera.height), std::uint8_t{90})};
-}
-
-OverlayFrame at(const Points& nodes) {
-  OverlayFrame overlay;
-  overlay.validity = Validity::valid;
-  overlay.nodes_in_camera = nodes;
-  LesionVerdict lesion;
-  lesion.lesion = structure::kFirstLesion;
-  lesion.level = Level::valid;
-  lesion.reason = LesionReason::known;
-  overlay.lesions = {lesion};
-  return overlay;
-}
-
-}  // namespace
 
 void OverlaySizeTest::ALargePictureIsDrawnOverAsASmallOneAndStaysSharp() {
   const Camera large = laparoscope(3.0), small = reduced(large, 2);

@@ -11,27 +11,10 @@
 #include "glisson/ui/scene/offscreen_renderer.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "overlay_frames.h"
 
 namespace glisson {
 namespace {
-
-Picture grey_frame(const Camera& camera) {
-  return {camera.width, camera.height, 3,
-          std::make_shared<std::vector<std::uint8_t>>(
-              static_cast<std::size_t>(3 * camera.width * camera.height), std::uint8_t{90})};
-}
-
-OverlayFrame at(const Points& nodes) {
-  OverlayFrame overlay;
-  overlay.validity = Validity::valid;
-  overlay.nodes_in_camera = nodes;
-  LesionVerdict lesion;
-  lesion.lesion = structure::kFirstLesion;
-  lesion.level = Level::valid;
-  lesion.reason = LesionReason::known;
-  overlay.lesions = {lesion};
-  return overlay;
-}
 
 /// A bend that is no rigid motion and no affine one.
 Points bent(const Points& rest, const Eigen::Vector3d& shift) {
