@@ -74,8 +74,10 @@ class Soak {
     result_.figures["seconds_" + outcome->command] = outcome->seconds;
   }
   const engine::CaseState& state() const { return script_.state(); }
-  /// @param once does it one more time; its number is from 0. @return false: cancelled.
-  bool repeat(SoakRun run, const std::function<void(int)>& once) {
+  /// @param once does it one more time; its number is from 0. @param finish is done at the end, also of one
+  /// that is cut short, before Cancelled is thrown.
+  void repeat(
+      SoakRun run, const std::function<void(int)>& once, const std::function<void()>& finish = [] {}) {
     const auto go_on = [&](int n) {
       if (context_.cancelled()) return false;
       try {
@@ -86,7 +88,9 @@ class Soak {
       return true;
     };
     runs_.push_back(std::move(run));
-    return runs_.back().work(go_on);
+    const bool complete = runs_.back().work(go_on);
+    finish();
+    if (!complete) throw Cancelled();
   }
 
   /// Where nobody names a case: the synthetic patient with a short film.
@@ -105,27 +109,27 @@ class Soak {
     const SoakFilm film(state());
     SoakLosses losses(film);
     post(engine::StartTracking{});
-    const bool complete = repeat({"frames", options_.frames, kFramesADay}, [&](int n) {
+    const auto one = [&](int n) {
       const StereoFrame frame = film.at(n);
       const auto overlay = script_.follow(frame);
       if (!overlay) throw Cancelled();
       losses.add(n, *overlay);
       if (draw_) (void)draw_(state(), frame, *overlay);
       context_.progress((n + 1.0) / options_.frames, "soak.frames");
+    };
+    repeat({"frames", options_.frames, kFramesADay}, one, [&] {
+      add(losses.figures());
+      losses_ = losses.table();
     });
-    add(losses.figures());
-    losses_ = losses.table();
-    if (!complete) throw Cancelled();
   }
 
   void open_and_save() {
     const fs::path place = folder_ / "soak.glisson";
     post(engine::SaveCase{place});
-    if (!repeat({"opens_and_saves", options_.opens, kOpensADay}, [&](int) {
-          post(engine::OpenCase{place});
-          post(engine::SaveCase{place});
-        }))
-      throw Cancelled();
+    repeat({"opens_and_saves", options_.opens, kOpensADay}, [&](int) {
+      post(engine::OpenCase{place});
+      post(engine::SaveCase{place});
+    });
   }
 
   /// A stroke through the liver's middle, a different one each time, and back.
@@ -133,7 +137,7 @@ class Soak {
     engine::require_parts(state(), {part::labels, part::model});
     const Eigen::RowVector3d middle = state()[part::model]->model.surface.mesh.vertices.colwise().mean();
     const LabelVolume before = state()[part::labels]->voxels;
-    const bool complete = repeat({"edits", options_.edits, kEditsADay}, [&](int n) {
+    repeat({"edits", options_.edits, kEditsADay}, [&](int n) {
       editing::Paint paint;
       paint.label = structure::kPortalVein;
       paint.brush = editing::Paint::Brush::ball;
@@ -144,7 +148,6 @@ class Soak {
       post(engine::EditLabels{{paint, {}}});
       post(engine::UndoLabels{});
     });
-    if (!complete) throw Cancelled();
     if (!(state()[part::labels]->voxels == before))
       throw Error(
           "edits: the labels are not what they were after as many undos. This is a fault of Glisson.");

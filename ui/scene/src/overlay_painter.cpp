@@ -78,16 +78,18 @@ struct OverlayPainter::Impl {
        const OverlayStyle& look)
       : camera(view),
         style(look),
-        raster(reduced(view, reduction_of(view.width))),
+        drawn_by(reduced(view, reduction_of(view.width))),
+        raster(drawn_by),
         drawable(std::move(surfaces)),
         model(drawable->model),
         structures(inner_structures(*model)),
-        layers(reduced(view, reduction_of(view.width))) {
+        layers(drawn_by) {
     if (anterior_margin.rows() > 0) margin = bind_points(model->mesh, anterior_margin);
   }
 
   Camera camera;
   OverlayStyle style;
+  Camera drawn_by;  ///< the camera at the size at which the layers are made
   SurfaceRaster raster;
   std::shared_ptr<const DrawableModel> drawable;
   std::shared_ptr<const PatientModel> model;
