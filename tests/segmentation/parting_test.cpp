@@ -201,6 +201,15 @@ void PartingTest::ASeamIsFoundAndNoiseIsNone() {
   DarkSheets sheets(ct, all);
   sheets.learn(away);
   const Mask seams = sheets.sheets();
+  // A click beside the seam would hide it; tissue elsewhere tells better, whichever comes first.
+  const Mask beside = body(ct, [](const Eigen::Vector3d& p) { return std::abs(p.x() - kSeam) < 4.0; });
+  DarkSheets hidden(ct, all);
+  hidden.learn(beside);
+  QVERIFY(2 * hidden.sheets().count() < seams.count());
+  hidden.learn(away);
+  QVERIFY(hidden.sheets().voxels == seams.voxels);
+  sheets.learn(beside);
+  QVERIFY(sheets.sheets().voxels == seams.voxels);
   long found = 0, of = 0, wrong = 0, others = 0;
   for (int k = 4; k + 4 < ct.size.z(); ++k)
     for (int j = 4; j + 4 < ct.size.y(); ++j)
