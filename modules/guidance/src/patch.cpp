@@ -2,7 +2,9 @@
 #include "patch.h"
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -45,25 +47,29 @@ struct Template {
 std::optional<Template> template_of(const Patch& patch, const Eigen::Matrix2d& picture_from_patch) {
   const Eigen::Matrix2d back = picture_from_patch.inverse();
   if (!back.allFinite()) return std::nullopt;
-  const auto value = [&](double x, double y, double& result) {
-    const Eigen::Vector2d in_patch =
-        (back * Eigen::Vector2d(x, y)).array() + static_cast<double>(Patch::kReach);
-    if (in_patch.minCoeff() < 0.0 || in_patch.maxCoeff() >= Patch::kSide - 1.0) return false;
-    result = between(patch.grey.data(), Patch::kSide, in_patch.x(), in_patch.y());
-    return true;
-  };
+  // Of the window and what lies around it; not a number outside of the patch.
+  constexpr int kAround = 2 * (kWindow + 1) + 1;
+  std::array<double, std::size_t{kAround} * kAround> values{};
+  for (int y = -kWindow - 1; y <= kWindow + 1; ++y)
+    for (int x = -kWindow - 1; x <= kWindow + 1; ++x) {
+      const Eigen::Vector2d in_patch =
+          (back * Eigen::Vector2d(x, y)).array() + static_cast<double>(Patch::kReach);
+      const bool is_in = in_patch.minCoeff() >= 0.0 && in_patch.maxCoeff() < Patch::kSide - 1.0;
+      values[static_cast<std::size_t>((y + kWindow + 1) * kAround + x + kWindow + 1)] =
+          is_in ? between(patch.grey.data(), Patch::kSide, in_patch.x(), in_patch.y())
+                : std::numeric_limits<double>::quiet_NaN();
+    }
   Template made;
   double mean = 0.0;
   for (int y = -kWindow; y <= kWindow; ++y)
     for (int x = -kWindow; x <= kWindow; ++x) {
-      double here = 0.0, left = 0.0, right = 0.0, above = 0.0, below = 0.0;
-      if (!value(x, y, here) || !value(x - 1, y, left) || !value(x + 1, y, right) ||
-          !value(x, y - 1, above) || !value(x, y + 1, below))
-        continue;
+      const double* here = values.data() + (y + kWindow + 1) * kAround + x + kWindow + 1;
+      const double across = here[1] - here[-1], down = here[kAround] - here[-kAround];
+      if (std::isnan(*here) || std::isnan(across) || std::isnan(down)) continue;
       made.places.emplace_back(x, y);
-      made.values.push_back(here);
-      made.slopes.emplace_back(0.5 * (right - left), 0.5 * (below - above));
-      mean += here;
+      made.values.push_back(*here);
+      made.slopes.emplace_back(0.5 * across, 0.5 * down);
+      mean += *here;
     }
   const auto n = static_cast<double>(made.values.size());
   if (n < kLeastShown * (2 * kWindow + 1) * (2 * kWindow + 1)) return std::nullopt;

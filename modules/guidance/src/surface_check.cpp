@@ -267,7 +267,8 @@ struct SurfaceCheck::Impl {
     }
     for (const SeenPoint& point : points) {
       if (!is_organ(point, not_liver)) continue;
-      const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
+      const int in_sight = hit[index(point.column, point.row)].triangle;
+      const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera, in_sight);
       if (at.triangle < 0 || at.distance > kTissue) continue;
       const Eigen::Vector3d normal = surface.normal(at, normals);
       if (normal.dot(at.point) > 0.0) continue;  // turned away: not what is seen

@@ -127,17 +127,20 @@ class Fit {
   /// Both starts are judged by the same places: those within reach of either.
   void choose_reached(const Motion& drawn) {
     std::vector<SeenPlace> reached;
-    const auto reaches = [&](const Motion& motion, const Eigen::Vector3d& p) {
-      const ClosestPoint at = surface_.closest(Feature::surface, motion.undo(p));
+    const auto reaches = [&](const Motion& motion, const Eigen::Vector3d& p, int& near) {
+      const ClosestPoint at = surface_.closest(Feature::surface, motion.undo(p), near);
+      near = at.triangle;
       return at.triangle >= 0 && at.distance <= kReach;
     };
+    int near_here = -1, near_drawn = -1;  // of the place before, which lies beside
     for (const SeenPlace& place : seen_)
-      if (reaches(here_, place.p) || reaches(drawn, place.p)) reached.push_back(place);
+      if (reaches(here_, place.p, near_here) || reaches(drawn, place.p, near_drawn)) reached.push_back(place);
     use(std::move(reached), through_);
   }
 
   void use(std::vector<SeenPlace> places, std::vector<LookedThrough> through) {
     used_ = std::move(places);
+    near_.assign(used_.size(), -1);
     used_through_ = std::move(through);
     std::map<int, int> count;
     for (const SeenPlace& place : used_) ++count[place.region];
@@ -157,10 +160,13 @@ class Fit {
     local.cost += share * kernel.cost(distance, sigma);
   }
 
-  void add_seen(const Motion& motion, const SeenPlace& place, const Kernel& kernel, Local& local) {
+  void add_seen(const Motion& motion, std::size_t i, const Kernel& kernel, Local& local) {
+    const SeenPlace& place = used_[i];
     const double share = share_.at(place.region);
     const Eigen::Vector3d p = motion.undo(place.p);
-    const ClosestPoint at = surface_.closest(Feature::surface, p);
+    const bool is_first = near_[i] < 0 && i > 0;  // the place before lies beside
+    const ClosestPoint at = surface_.closest(Feature::surface, p, near_[is_first ? i - 1 : i]);
+    near_[i] = at.triangle;
     if (at.triangle >= 0 && at.distance <= kernel.reach) {
       const Eigen::Vector3d normal = surface_.normal(at, normals_);
       if (normal.dot(at.point.normalized()) <= 0.2) {  // else turned away: not what is seen
@@ -184,7 +190,7 @@ class Fit {
     const Vector6 place = motion.place();
     local.cost = 0.5 * place.dot(prior_.cwiseProduct(place));
     local.side = -prior_.cwiseProduct(place);
-    for (const SeenPlace& seen : used_) add_seen(motion, seen, kernel, local);
+    for (std::size_t i = 0; i < used_.size(); ++i) add_seen(motion, i, kernel, local);
     for (const LookedThrough& through : used_through_) {
       const Eigen::Vector3d at = motion.apply(through.at), gap = through.to - at;
       if (gap.norm() < 1e-4) continue;
@@ -267,6 +273,7 @@ class Fit {
   Motion here_;                         ///< none
   Vector6 prior_;                       ///< its information, diagonal
   std::vector<SeenPlace> used_;
+  std::vector<int> near_;  ///< the triangle that each of them was nearest to last: the search starts there
   std::vector<LookedThrough> used_through_;
   std::map<int, double> share_;  ///< of each region: what one of its measurements counts
 };

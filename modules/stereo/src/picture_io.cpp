@@ -24,8 +24,10 @@ cv::Mat view(const Picture& picture) {
 Picture to_picture(const cv::Mat& image) {
   require(image.depth() == CV_8U && (image.channels() == 1 || image.channels() == 3),
           "a picture has 8 bits and one channel or three");
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>(image.total() * image.elemSize());
-  image.copyTo(cv::Mat(image.rows, image.cols, image.type(), bytes->data()));
+  const std::size_t row = static_cast<std::size_t>(image.cols) * image.elemSize();
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+  bytes->reserve(row * static_cast<std::size_t>(image.rows));
+  for (int y = 0; y < image.rows; ++y) bytes->insert(bytes->end(), image.ptr(y), image.ptr(y) + row);
   return {image.cols, image.rows, image.channels(), std::move(bytes)};
 }
 

@@ -69,22 +69,21 @@ class OneStream : public Views {
   }
 
   bool read(cv::Mat& left, cv::Mat& right) override {
-    cv::Mat whole;
-    if (!stream_->grab() || !stream_->retrieve(whole)) {
+    if (!stream_->grab() || !stream_->retrieve(whole_)) {
       if (!reached_.is_end_of(frames, rate)) broken_off(stream_->name, reached_.taken(), frames);
       return false;
     }
-    require_size(*stream_, whole);
+    require_size(*stream_, whole_);
     reached_.take(*stream_);
     if (layout_ == Layout::side_by_side) {
-      left = whole.colRange(0, width);
-      right = whole.colRange(width, 2 * width);
+      left = whole_.colRange(0, width);
+      right = whole_.colRange(width, 2 * width);
     } else if (layout_ == Layout::top_bottom) {
-      left = whole.rowRange(0, height);
-      right = whole.rowRange(height, 2 * height);
+      left = whole_.rowRange(0, height);
+      right = whole_.rowRange(height, 2 * height);
     } else {
-      left = one_field(whole, 0);
-      right = one_field(whole, 1);
+      left = one_field(whole_, 0);
+      right = one_field(whole_, 1);
     }
     return true;
   }
@@ -103,6 +102,7 @@ class OneStream : public Views {
   std::unique_ptr<PictureStream> stream_;
   Layout layout_;
   Reached reached_;
+  cv::Mat whole_;  ///< of the last pair; its memory serves the next
 };
 
 /// A view each, matched by their times.

@@ -13,7 +13,7 @@ namespace glisson::stereo {
 class Views {
  public:
   virtual ~Views() = default;
-  /// @return false at the end.
+  /// Both hold until the next is read. @return false at the end.
   virtual bool read(cv::Mat& left, cv::Mat& right) = 0;
   virtual void rewind() = 0;
   /// When what was read last came, of a live source.

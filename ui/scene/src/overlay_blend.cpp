@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "glisson/patient/label_map.h"
@@ -197,12 +198,47 @@ void open_window(Veil& veil, const OverlayLayers& layers, const Window& window) 
 /// What remains of a value below something of that opacity.
 int shining_through(int value, int opacity) { return ((255 - opacity) * value + 127) / 255; }
 
+/// The same of sixteen values at once, with what lies over them. Dividing by 255 is two shifts: exact up to
+/// 2^16.
+cv::v_uint8x16 laid(const cv::v_uint8x16& value, const cv::v_uint8x16& over, const cv::v_uint8x16& through) {
+  const auto shine = [](const cv::v_uint16x8& product) {
+    const cv::v_uint16x8 sum = product + cv::v_setall_u16(127);
+    return (sum + cv::v_setall_u16(1) + (sum >> 8)) >> 8;
+  };
+  cv::v_uint16x8 low, high;
+  cv::v_mul_expand(value, through, low, high);
+  return cv::v_pack(shine(low), shine(high)) + over;
+}
+
+/// As many pixels of a row as go in sixteens. @return how many.
+template <class Pixel>
+int lay_wide(Pixel* below, const cv::Vec4b* veil, int count) {
+  constexpr int kAtOnce = 16;
+  int u = 0;
+  for (; u + kAtOnce <= count; u += kAtOnce) {
+    cv::v_uint8x16 blue, green, red, opacity, b, g, r, a;
+    cv::v_load_deinterleave(veil[u].val, blue, green, red, opacity);
+    if (!cv::v_check_any(opacity != cv::v_setzero_u8())) continue;
+    const cv::v_uint8x16 through = cv::v_setall_u8(255) - opacity;
+    if constexpr (Pixel::channels == 3) {
+      cv::v_load_deinterleave(below[u].val, b, g, r);
+      cv::v_store_interleave(below[u].val, laid(b, blue, through), laid(g, green, through),
+                             laid(r, red, through));
+    } else {
+      cv::v_load_deinterleave(below[u].val, b, g, r, a);
+      cv::v_store_interleave(below[u].val, laid(b, blue, through), laid(g, green, through),
+                             laid(r, red, through), laid(a, opacity, through));
+    }
+  }
+  return u;
+}
+
 /// @param Pixel of a picture, or of a veil, whose opacity grows by the same rule.
 template <class Pixel>
 void lay(cv::Mat_<Pixel> below, const Veil& veil) {
   cv::parallel_for_(cv::Range(0, below.rows), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v)
-      for (int u = 0; u < below.cols; ++u) {
+      for (int u = lay_wide(below[v], veil[v], below.cols); u < below.cols; ++u) {
         const cv::Vec4b& over = veil(v, u);
         if (over[3] == 0) continue;
         Pixel& pixel = below(v, u);

@@ -32,10 +32,14 @@ QImage screen_image(const Picture& picture, const QSize& size) {
                        const_cast<std::uint8_t*>(picture.bytes->data()));
   cv::Mat scaled = source;
   const cv::Size wanted(size.width(), size.height());
-  // Beyond half of the size two neighbours do not tell what lies between.
-  const bool is_much_smaller = 2 * wanted.width < source.cols || 2 * wanted.height < source.rows;
-  if (wanted != source.size())
-    cv::resize(source, scaled, wanted, 0.0, 0.0, is_much_smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+  // Beyond half of the size two neighbours do not tell what lies between. Means of four are soon made, those
+  // of any other size take five times as long.
+  while (2 * wanted.width <= scaled.cols && 2 * wanted.height <= scaled.rows) {
+    cv::Mat half;
+    cv::resize(scaled, half, scaled.size() / 2, 0.0, 0.0, cv::INTER_AREA);
+    scaled = half;
+  }
+  if (wanted != scaled.size()) cv::resize(cv::Mat(scaled), scaled, wanted, 0.0, 0.0, cv::INTER_LINEAR);
   QImage image(size, QImage::Format_RGB32);
   cv::Mat target(wanted, CV_8UC4, image.bits(), static_cast<std::size_t>(image.bytesPerLine()));
   cv::cvtColor(scaled, target, picture.channels == 1 ? cv::COLOR_GRAY2BGRA : cv::COLOR_BGR2BGRA);
