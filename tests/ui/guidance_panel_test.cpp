@@ -177,6 +177,8 @@ void GuidancePanelTest::BesideThePictureTheOrganGoesWithIt() {
   QTRY_VERIFY(organ->width() > 200 && live_view().width() > 200 && organ->height() > 150);
   QVERIFY(organ->isVisible() && live_view().isVisible());
   auto* view = organ->findChild<ui::RenderView*>();
+  QVERIFY(organ->width() > 2 * organ->height());
+  QTRY_COMPARE(view->height(), organ->height());  // words and colours stand beside it
   const auto actors = [view] { return view->patient().renderer().GetActors()->GetNumberOfItems(); };
   const auto height = [view] {
     double bounds[6];

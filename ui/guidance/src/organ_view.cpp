@@ -70,23 +70,23 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
       legend_(new QWidget(scale_)),
       actors_(std::make_unique<scene::RegistrationActors>(view_->patient().renderer())) {
   setObjectName(QStringLiteral("organ_view"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  around_ = new QVBoxLayout(this);
+  around_->setContentsMargins(0, 0, 0, 0);
+  around_->setSpacing(0);
   view_->set_hint(nothing_words());
-  layout->addWidget(view_, 1);
+  around_->addWidget(view_, 1);
   scale_->setProperty("role", "probe");
-  auto* row = new QHBoxLayout(scale_);
-  row->setContentsMargins(10, 4, 10, 4);
+  words_and_legend_ = new QHBoxLayout(scale_);
+  words_and_legend_->setContentsMargins(10, 4, 10, 4);
   auto* words = new QLabel(scale_);
   words->setObjectName(QStringLiteral("organ_words"));
   words->setWordWrap(true);
-  row->addWidget(words, 1);
+  words_and_legend_->addWidget(words, 1);
   QSizePolicy kept = legend_->sizePolicy();
   kept.setRetainSizeWhenHidden(true);  // the organ keeps its place
   legend_->setSizePolicy(kept);
-  row->addWidget(legend_);
-  layout->addWidget(scale_);
+  words_and_legend_->addWidget(legend_);
+  around_->addWidget(scale_);
   connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
   connect(&drawables_, &DrawableSource::changed, this, &OrganView::refresh);
   pace_.setSingleShot(true);
@@ -144,6 +144,15 @@ QString OrganView::nothing_words() {
 void OrganView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
+}
+
+void OrganView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  // Below the picture there is little height: words and colours beside the organ leave it all of that.
+  const bool is_flat = width() > 2 * height();
+  around_->setDirection(is_flat ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  words_and_legend_->setDirection(is_flat ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  scale_->setMaximumWidth(is_flat ? legend_->sizeHint().width() + 20 : QWIDGETSIZE_MAX);
 }
 
 void OrganView::put_away(const QString& hint) {

@@ -13,6 +13,7 @@
 #include "glisson/ui/guidance/registration_model.h"
 #include "glisson/ui/scene/registration_actors.h"
 
+class QBoxLayout;
 class QLabel;
 
 namespace glisson::ui {
@@ -33,6 +34,7 @@ class OrganView : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   /// While there is no registration.
@@ -53,7 +55,8 @@ class OrganView : public QWidget {
   RenderView* view_;
   QWidget* scale_;
   QWidget* legend_;
-  QTimer pace_;  ///< runs from a picture on until the organ has followed it
+  QBoxLayout *around_, *words_and_legend_;  ///< the organ and what is told of it; of the latter
+  QTimer pace_;                             ///< runs from a picture on until the organ has followed it
   std::unique_ptr<scene::RegistrationActors> actors_;
   std::shared_ptr<const scene::DrawableModel> drawn_;
   std::vector<LesionVerdict> lesions_;             ///< that are drawn
