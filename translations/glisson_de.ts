@@ -10831,6 +10831,18 @@
         <translation>Das rohe Bild neben der Einblendung (B)</translation>
     </message>
     <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>The right picture with its overlay: a wrong depth shows in one of the two (V)</source>
+        <translation>Das rechte Bild mit seiner Einblendung: eine falsche Tiefe zeigt sich in einem der beiden (V)</translation>
+    </message>
+    <message>
+        <source>There is no right picture of this frame.</source>
+        <translation>Von diesem Bild gibt es kein rechtes.</translation>
+    </message>
+    <message>
         <source>Back to live (Esc)</source>
         <translation>Zurück zu live (Esc)</translation>
     </message>

@@ -10831,6 +10831,18 @@
         <translation>L&apos;image brute à côté de la superposition (B)</translation>
     </message>
     <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>The right picture with its overlay: a wrong depth shows in one of the two (V)</source>
+        <translation>L’image droite avec sa superposition : une profondeur fausse se voit dans l’une des deux (V)</translation>
+    </message>
+    <message>
+        <source>There is no right picture of this frame.</source>
+        <translation>Il n’y a pas d’image droite de ce moment.</translation>
+    </message>
+    <message>
         <source>Back to live (Esc)</source>
         <translation>Retour au direct (Échap)</translation>
     </message>

@@ -54,7 +54,7 @@ void CorrectionModel::read_live() {
   can_undo = is_offered && live() != nullptr && !live()->corrections.empty();
 }
 
-bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
+bool CorrectionModel::grab(const Eigen::Vector2d& pixel, StereoView view) {
   const engine::CaseState& now = engine_.state();
   if (!is_offered || live() == nullptr || !now[part::model] || !now[part::rig] || piece_ || held_)
     return false;
@@ -68,7 +68,7 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
   }
   const Points& nodes = overlay.nodes_in_camera;
   if (nodes.rows() != model.mesh.vertex_count()) return false;
-  const auto picked = guidance::pick_place(model, nodes, *now[part::rig], StereoView::left, pixel);
+  const auto picked = guidance::pick_place(model, nodes, *now[part::rig], view, pixel);
   if (!picked) {
     say(tr("There is nothing of the drawn organ. Take hold of its margin, its notch, a vessel or its "
            "surface."),
@@ -77,6 +77,7 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
   }
   Correction correction;
   correction.feature = picked->feature;
+  correction.view = view;
   correction.place_in_ct = picked->place_in_ct;
   correction.from = correction.to = picked->pixel;
   correction.sigma_px = picked->sigma_px;
@@ -84,7 +85,7 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
   held_ = correction;
   pressed_ = pixel;
   has_arrived_ = ends_ = gives_up_ = false;
-  line = Line{picked->pixel, pixel};
+  line = Line{picked->pixel, pixel, view};
   since_piece_.start();
   const QString what[] = {tr("a place of the surface"), tr("the anterior margin"), tr("the notch"),
                           tr("a vessel")};
@@ -96,7 +97,7 @@ bool CorrectionModel::grab(const Eigen::Vector2d& pixel) {
 void CorrectionModel::drag_to(const Eigen::Vector2d& pixel) {
   if (!held_ || ends_ || gives_up_ || (!has_arrived_ && !piece_ && is_click(pixel))) return;
   held_->to = pixel;
-  line = Line{line.value()->from, pixel};
+  line = Line{line.value()->from, pixel, held_->view};
   if (!piece_ && since_piece_.elapsed() >= kPieceEvery) send_piece(false);
 }
 

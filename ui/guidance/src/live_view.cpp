@@ -30,6 +30,7 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
       moments_(moments),
       timeline_(new TimelineBar(review, this)),
       picture_(new LivePicture(this)),
+      right_(new LivePicture(this)),
       raw_(new PictureView(tr("Raw"), this)) {
   setObjectName(QStringLiteral("guidance_view"));
   auto* layout = new QVBoxLayout(this);
@@ -45,15 +46,7 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   layout->addWidget(leave);
   connect(leave, &QPushButton::clicked, &moments, &MomentsModel::go_live);
   couplings_.add(moments.shown, [leave](int number) { leave->setVisible(number != 0); });
-  picture_->set_hint(
-      tr("Register the model to a frame of the laparoscope; the augmented picture appears here."));
-  pictures_ = new QHBoxLayout;
-  pictures_->setSpacing(2);
-  raw_->setObjectName(QStringLiteral("raw_picture"));
-  raw_->hide();
-  pictures_->addWidget(picture_, 1);
-  pictures_->addWidget(raw_, 1);
-  layout->addLayout(pictures_, 1);
+  layout->addLayout(make_pictures(), 1);
   auto* line = new QLabel(this);
   line->setProperty("role", "probe");
   line->setContentsMargins(10, 4, 10, 4);
@@ -64,16 +57,7 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   line->setMinimumHeight(kLinesHeight);
   layout->addWidget(line);
   layout->addWidget(timeline_);
-  show_raw_ = add_button("show_raw", tr("Raw"), tr("The raw picture beside the overlay (B)"));
-  show_raw_->setCheckable(true);
-  QToolButton* save = add_button("save_picture", tr("Picture…"), tr("Save the picture as it is drawn (P)"));
-  QToolButton* whole = add_button("whole_screen", QStringLiteral("F11"), tr("Whole screen (F11)"));
-  connect(show_raw_, &QToolButton::toggled, this, [this](bool on) {
-    raw_->setVisible(on);
-    raw_->set_picture(model_.on_screen().raw);
-  });
-  connect(save, &QToolButton::clicked, this, &LiveView::save_picture);
-  connect(whole, &QToolButton::clicked, this, &LiveView::switch_whole_screen);
+  add_buttons();
   show_picture();
 
   connect(picture_, &LivePicture::clicked, &model, &LiveViewModel::choose_at);
@@ -81,21 +65,67 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
           [&model](const Eigen::Vector2d& pixel) { model.point_at(pixel); });
   connect(picture_, &LivePicture::left, &model, [&model] { model.point_at({}); });
   connect(picture_, &LivePicture::marked, &model, &LiveViewModel::mark_at);
-  connect(picture_, &LivePicture::taken_hold, &correction, [this](const Eigen::Vector2d& pixel) {
-    if (!model_.shows_kept()) correction_.grab(pixel);  // the organ is elsewhere by now
-  });
-  connect(picture_, &LivePicture::held_at, &correction, &CorrectionModel::drag_to);
-  connect(picture_, &LivePicture::let_go, &correction, &CorrectionModel::let_go);
-  couplings_.add(correction.is_correcting, [this](bool is) { picture_->set_correcting(is); });
-  couplings_.add(correction.line, [this](const std::optional<CorrectionModel::Line>& drag) {
-    picture_->set_drag_line(drag ? std::optional(std::pair(drag->from, drag->to)) : std::nullopt);
-  });
+  join_correction(picture_, StereoView::left);
+  join_correction(right_, StereoView::right);
   connect(&model, &LiveViewModel::picture_changed, this, &LiveView::show_picture);
   connect(picture_, &PictureView::drawn, &model, &LiveViewModel::note_drawn);
   couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
-  couplings_.add(model.mark, [this](const QString& words) { picture_->set_mark(words); });
+  couplings_.add(model.mark, [this](const QString& words) {
+    picture_->set_mark(words);
+    right_->set_mark(words);
+  });
   couplings_.add(model.line, [line](const QString& text) { line->setText(text); });
   couplings_.add(model.is_fresh, [line](const QVariant& is) { set_style_property(line, "fresh", is); });
+}
+
+QLayout* LiveView::make_pictures() {
+  picture_->set_hint(
+      tr("Register the model to a frame of the laparoscope; the augmented picture appears here."));
+  pictures_ = new QHBoxLayout;
+  pictures_->setSpacing(2);
+  raw_->setObjectName(QStringLiteral("raw_picture"));
+  raw_->hide();
+  right_->setObjectName(QStringLiteral("right_picture"));
+  right_->set_hint(tr("There is no right picture of this frame."));
+  right_->hide();
+  pictures_->addWidget(picture_, 1);
+  pictures_->addWidget(right_, 1);
+  pictures_->addWidget(raw_, 1);
+  return pictures_;
+}
+
+void LiveView::add_buttons() {
+  show_raw_ = add_button("show_raw", tr("Raw"), tr("The raw picture beside the overlay (B)"));
+  show_raw_->setCheckable(true);
+  show_right_ =
+      add_button("show_right", tr("Right"),
+                 tr("The right picture with its overlay: a wrong depth shows in one of the two (V)"));
+  show_right_->setCheckable(true);
+  QToolButton* save = add_button("save_picture", tr("Picture…"), tr("Save the picture as it is drawn (P)"));
+  QToolButton* whole = add_button("whole_screen", QStringLiteral("F11"), tr("Whole screen (F11)"));
+  connect(show_raw_, &QToolButton::toggled, this, [this](bool on) {
+    raw_->setVisible(on);
+    raw_->set_picture(model_.on_screen().raw);
+  });
+  connect(show_right_, &QToolButton::toggled, this, [this](bool on) {
+    right_->setVisible(on);
+    tell_screen();
+  });
+  connect(save, &QToolButton::clicked, this, &LiveView::save_picture);
+  connect(whole, &QToolButton::clicked, this, &LiveView::switch_whole_screen);
+}
+
+void LiveView::join_correction(LivePicture* picture, StereoView view) {
+  connect(picture, &LivePicture::taken_hold, &correction_, [this, view](const Eigen::Vector2d& pixel) {
+    if (!model_.shows_kept()) correction_.grab(pixel, view);  // the organ is elsewhere by now
+  });
+  connect(picture, &LivePicture::held_at, &correction_, &CorrectionModel::drag_to);
+  connect(picture, &LivePicture::let_go, &correction_, &CorrectionModel::let_go);
+  couplings_.add(correction_.is_correcting, [picture](bool is) { picture->set_correcting(is); });
+  couplings_.add(correction_.line, [picture, view](const std::optional<CorrectionModel::Line>& drag) {
+    const bool is_here = drag && drag->view == view;
+    picture->set_drag_line(is_here ? std::optional(std::pair(drag->from, drag->to)) : std::nullopt);
+  });
 }
 
 QToolButton* LiveView::add_button(const char* name, const QString& text, const QString& tip) {
@@ -128,13 +158,14 @@ void LiveView::show_picture() {
   arrange();
   picture_->set_picture(shown.picture, shown.screen);
   if (show_raw_->isChecked()) raw_->set_picture(shown.raw, shown.raw_screen);
+  if (show_right_->isChecked()) right_->set_picture(shown.right, shown.right_screen);
   tell_screen();
 }
 
 void LiveView::tell_screen() {
   if (whole_screen_ || model_.picture().empty()) return;  // the larger one decides
   model_.set_screen(picture_->screen_size({model_.picture().width, model_.picture().height}),
-                    show_raw_->isChecked());
+                    show_raw_->isChecked(), show_right_->isChecked());
 }
 
 void LiveView::keyPressEvent(QKeyEvent* event) {
@@ -151,6 +182,8 @@ void LiveView::keyPressEvent(QKeyEvent* event) {
       return switch_whole_screen();
     case Qt::Key_B:
       return show_raw_->toggle();
+    case Qt::Key_V:
+      return show_right_->toggle();
     case Qt::Key_P:
       return save_picture();
     case Qt::Key_K:

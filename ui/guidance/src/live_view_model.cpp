@@ -144,13 +144,15 @@ void LiveViewModel::submit(OverlayJob job) {
   job.generation = generation_;
   job.screen = screen_;
   job.with_raw = with_raw_;
+  job.with_right = with_right_;
   job_ = job;
   worker_.submit(std::move(job));
 }
 
-void LiveViewModel::set_screen(const QSize& size, bool with_raw) {
+void LiveViewModel::set_screen(const QSize& size, bool with_raw, bool with_right) {
   screen_ = size;
   with_raw_ = with_raw;
+  if (std::exchange(with_right_, with_right) != with_right) redraw();
 }
 
 void LiveViewModel::note_drawn() {
@@ -186,6 +188,7 @@ void LiveViewModel::show_registered() {
   if (!now[part::frame]) return put_away();
   OverlayJob job = make_job();
   job.frame = now[part::frame]->frame.left;
+  job.right = now[part::frame]->frame.right;
   job.overlay.index = now[part::frame]->frame.index;
   if (now[part::registration]) {
     const bool current = engine_.snapshot()->stage(part::registration) == engine::StageState::current;

@@ -5,47 +5,66 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/patient/correction.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::ui {
 
-/// What lives on the worker's thread only: the painter and the recorders.
+namespace {
+
+/// Paints one camera's pictures.
+class Easel {
+ public:
+  explicit Easel(StereoView view) : view_(view) {}
+
+  /// Of a job without a model: the picture as it is.
+  Picture paint(const OverlayJob& job, double age) {
+    const bool is_right = view_ == StereoView::right;
+    const Picture& frame = is_right ? job.right : job.frame;
+    if (!job.model || !job.rig || frame.empty()) return frame;
+    if (!painter_ || model_ != job.model || rig_ != job.rig || margin_ != job.margin) {
+      painter_.reset();
+      painter_ =
+          std::make_unique<scene::OverlayPainter>(job.model, job.margin ? *job.margin : Points(),
+                                                  is_right ? job.rig->right : job.rig->left, job.style);
+      margin_ = job.margin;
+      model_ = job.model;
+      rig_ = job.rig;
+    }
+    painter_->set_style(job.style);
+    scene::OverlayStatus status = job.status;
+    status.age_seconds = job.is_live ? age : 0.0;
+    status.stands = !job.is_live;
+    OverlayFrame overlay = is_right ? scene::seen_from_right(job.overlay, *job.rig) : job.overlay;
+    if (job.draws_refuted) overlay.validity = Validity::proposed;
+    scene::OverlayInterest interest = job.interest;
+    if (is_right) interest.pointer.reset();  // a pixel of the other picture
+    return painter_->paint(frame, overlay, status, interest);
+  }
+  std::optional<guidance::LesionMeasures> measures() const {
+    return painter_ ? painter_->measures() : std::nullopt;
+  }
+
+ private:
+  StereoView view_;
+  std::unique_ptr<scene::OverlayPainter> painter_;
+  std::shared_ptr<const scene::DrawableModel> model_;
+  std::shared_ptr<const Points> margin_;
+  std::shared_ptr<const StereoRig> rig_;
+};
+
+}  // namespace
+
+/// What lives on the worker's thread only: the painters and the recorders.
 struct OverlayWorker::Studio {
   explicit Studio(OverlayWorker& worker) : said_by(worker) {}
 
   OverlayWorker& said_by;
-  std::unique_ptr<scene::OverlayPainter> painter;
-  std::shared_ptr<const scene::DrawableModel> model;
-  std::shared_ptr<const Points> margin;
-  std::shared_ptr<const StereoRig> rig;
+  Easel left{StereoView::left}, right{StereoView::right};
   std::optional<RecordingOptions> wanted;        ///< until the first picture tells its rate
   std::unique_ptr<Recorder> recorder;            ///< of what is drawn now
   std::list<std::unique_ptr<Recorder>> closing;  ///< they write on
-
-  Picture paint(const OverlayJob& job, double age) {
-    if (!job.model || !job.rig) return job.frame;
-    if (!painter || model != job.model || rig != job.rig || margin != job.margin) {
-      painter.reset();
-      painter = std::make_unique<scene::OverlayPainter>(job.model, job.margin ? *job.margin : Points(),
-                                                        job.rig->left, job.style);
-      margin = job.margin;
-      model = job.model;
-      rig = job.rig;
-    }
-    painter->set_style(job.style);
-    scene::OverlayStatus status = job.status;
-    status.age_seconds = job.is_live ? age : 0.0;
-    status.stands = !job.is_live;
-    if (!job.draws_refuted) return painter->paint(job.frame, job.overlay, status, job.interest);
-    OverlayFrame proposed = job.overlay;
-    proposed.validity = Validity::proposed;
-    return painter->paint(job.frame, proposed, status, job.interest);
-  }
-
-  std::optional<guidance::LesionMeasures> measures() const {
-    return painter ? painter->measures() : std::nullopt;
-  }
 
   void start(RecordingOptions options) {
     stop();
@@ -136,13 +155,16 @@ void OverlayWorker::run(const std::stop_token& stop) {
     };
     try {
       PaintedOverlay done;
-      done.picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
+      done.picture = studio.left.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
+      if (job->with_right)
+        done.right = studio.right.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
       done.raw = job->frame;
       done.screen = scene::screen_image(done.picture, job->screen);
       if (job->with_raw) done.raw_screen = scene::screen_image(done.raw, job->screen);
+      if (job->with_right) done.right_screen = scene::screen_image(done.right, job->screen);
       done.overlay = job->overlay;
       done.made_from = job;
-      if (job->model && job->rig) done.measures = studio.measures();
+      if (job->model && job->rig) done.measures = studio.left.measures();
       done.taken = job->taken;
       done.age = job->taken ? seconds_since(*job->taken) : 0.0;
       done.draw = seconds_since(begin);

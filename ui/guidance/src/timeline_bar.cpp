@@ -20,6 +20,7 @@ QToolButton* make_button(QWidget* parent, const char* name, const QString& sign,
   auto* button = new QToolButton(parent);
   button->setObjectName(QString::fromLatin1(name));
   button->setText(sign);
+  if (sign.size() <= 2) button->setProperty("role", "sign");  // the track has the room
   button->setToolTip(tip);
   button->setAccessibleName(tip);
   button->setFocusPolicy(Qt::NoFocus);  // space and arrows belong to the bar
@@ -45,6 +46,7 @@ TimelineBar::TimelineBar(ReviewModel& model, QWidget* parent) : QWidget(parent),
   speed->setObjectName(QStringLiteral("playing_speed"));
   speed->setFocusPolicy(Qt::NoFocus);
   speed->setToolTip(tr("Speed"));
+  speed->setFixedWidth(72);
   for (const double factor : kSpeeds) speed->addItem(tr("%1 ×").arg(factor), factor);
   speed->setCurrentIndex(kNormalSpeed);
   QToolButton* loop = make_button(this, "loop", QStringLiteral("⟳"), tr("Begin again at the end"));

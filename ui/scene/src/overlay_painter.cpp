@@ -73,6 +73,17 @@ std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const
   return meter.place_on(*ray);
 }
 
+OverlayFrame seen_from_right(OverlayFrame overlay, const StereoRig& rig) {
+  const auto& [turn, shift] = rig.right_from_left;
+  overlay.nodes_in_camera =
+      ((overlay.nodes_in_camera * turn.transpose()).rowwise() + shift.transpose()).eval();
+  for (LesionVerdict& lesion : overlay.lesions) {
+    lesion.centre = turn * lesion.centre + shift;
+    lesion.covariance = turn * lesion.covariance * turn.transpose();
+  }
+  return overlay;
+}
+
 struct OverlayPainter::Impl {
   Impl(std::shared_ptr<const DrawableModel> surfaces, const Points& anterior_margin, const Camera& view,
        const OverlayStyle& look)

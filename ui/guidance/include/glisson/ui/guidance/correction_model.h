@@ -19,7 +19,7 @@
 
 namespace glisson::ui {
 
-/// A hand takes hold of a place of the tracked organ in the left picture and drags it to where it is seen.
+/// A hand takes hold of a place of the tracked organ in either picture and drags it to where it is seen.
 /// While it drags, pieces of the one gesture go to the engine: the next when the one before is done.
 class CorrectionModel : public QObject {
   Q_OBJECT
@@ -28,8 +28,9 @@ class CorrectionModel : public QObject {
   CorrectionModel(EngineBridge& engine, PlaybackModel& playback, ReviewModel& review,
                   QObject* parent = nullptr);
 
-  /// Takes hold of what lies at a pixel of the left picture. @return false: of nothing; `said` tells why.
-  bool grab(const Eigen::Vector2d& pixel);
+  /// Takes hold of what lies at a pixel of a picture, in whose pixels it is dragged then. @return false: of
+  /// nothing; `said` tells why.
+  bool grab(const Eigen::Vector2d& pixel, StereoView view = StereoView::left);
   void drag_to(const Eigen::Vector2d& pixel);
   /// The place is there.
   void let_go(const Eigen::Vector2d& pixel);
@@ -42,9 +43,10 @@ class CorrectionModel : public QObject {
   /// Lines of what was corrected and taken back since tracking began, oldest first (see correction_line).
   const std::vector<std::string>& record() const { return record_; }
 
-  /// Pixels of the left picture.
+  /// Pixels of that picture.
   struct Line {
     Eigen::Vector2d from, to;
+    StereoView view = StereoView::left;
     bool operator==(const Line&) const = default;
   };
 

@@ -19,9 +19,9 @@ namespace glisson::ui {
 
 /// The augmented picture, with what is said of it above and below, and the way through the video. Keys, while
 /// it has the focus: space, arrows, Home and End (see TimelineBar), F11 the whole screen, P saves the
-/// picture, B shows the raw picture beside it, R registers again, C corrects by hand, K keeps the moment,
-/// Ctrl+Z takes a correction back, Esc lets go of what the hand holds, of a kept moment, of the choice, or of
-/// the whole screen.
+/// picture, B shows the raw picture beside it, V the right one with its overlay, R registers again, C
+/// corrects by hand, K keeps the moment, Ctrl+Z takes a correction back, Esc lets go of what the hand holds,
+/// of a kept moment, of the choice, or of the whole screen.
 class LiveView : public QWidget {
   Q_OBJECT
  public:
@@ -42,6 +42,10 @@ class LiveView : public QWidget {
   /// The raw picture beside the other or below it, whichever leaves both larger.
   void arrange();
   void tell_screen();
+  QLayout* make_pictures();
+  void add_buttons();
+  /// A hand corrects in it.
+  void join_correction(LivePicture* picture, StereoView view);
   QToolButton* add_button(const char* name, const QString& text, const QString& tip);
   void switch_whole_screen();
   void save_picture();
@@ -54,9 +58,10 @@ class LiveView : public QWidget {
   TimelineBar* timeline_;
   QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;
-  PictureView* raw_;      ///< beside it, where it is wanted
-  QBoxLayout* pictures_;  ///< of both
-  QToolButton* show_raw_;
+  LivePicture* right_;    ///< the right camera's, beside it, where it is wanted
+  PictureView* raw_;      ///< likewise
+  QBoxLayout* pictures_;  ///< of all
+  QToolButton *show_raw_, *show_right_;
   Couplings couplings_;
 };
 

@@ -74,8 +74,8 @@ class LiveViewModel : public QObject {
   /// The same, with the raw picture, and both ready for the screen.
   const PaintedOverlay& on_screen() const { return on_screen_; }
   /// From now on pictures are made ready for a view of this size, in the screen's pixels.
-  /// @param with_raw the raw picture, too.
-  void set_screen(const QSize& size, bool with_raw);
+  /// @param with_raw the raw picture, too. @param with_right the right one with its overlay likewise.
+  void set_screen(const QSize& size, bool with_raw, bool with_right);
   /// A view has painted the picture that is on the screen.
   void note_drawn();
   /// From the camera to the screen, of this playing.
@@ -181,7 +181,7 @@ class LiveViewModel : public QObject {
   std::optional<std::chrono::steady_clock::time_point>
       undrawn_;  ///< when the picture on the screen was taken
   QSize screen_;
-  bool with_raw_ = false;
+  bool with_raw_ = false, with_right_ = false;
   int generation_ = 0;                    ///< pictures of former ones are not shown any more
   std::shared_ptr<const Points> margin_;  ///< CT frame
   std::shared_ptr<const model::BuiltModel> model_source_;

@@ -28,7 +28,7 @@ struct OverlayJob {
   std::shared_ptr<const Points> margin;               ///< anterior margin, CT frame; may be null
   std::shared_ptr<const StereoRig> rig;
   Picture frame;
-  Picture right;  ///< for a recording of the raw views; may be empty
+  Picture right;  ///< for a recording of the raw views, and PaintedOverlay::right; may be empty
   OverlayFrame overlay;
   bool draws_refuted = false;  ///< what the surfaces contradict is drawn as a proposal, for hands to correct
   /// When the picture was taken; empty: not live, age is not counted.
@@ -44,6 +44,7 @@ struct OverlayJob {
   double source_rate = 30.0;  ///< frames a second of the video, for the recording
   QSize screen;               ///< wanted of PaintedOverlay::screen; empty: none
   bool with_raw = false;      ///< PaintedOverlay::raw_screen is wanted, too
+  bool with_right = false;    ///< PaintedOverlay::right likewise
   /// Handed back with what became of the job, so that one that is not wanted any more is known.
   int generation = 0;
 };
@@ -51,8 +52,10 @@ struct OverlayJob {
 /// What became of a job.
 struct PaintedOverlay {
   Picture picture;
-  Picture raw;                ///< as it was taken
-  QImage screen, raw_screen;  ///< the same, ready for the screen (scene::screen_image()); null: not wanted
+  Picture raw;    ///< as it was taken
+  Picture right;  ///< with the overlay; empty: not wanted, or there is none
+  QImage screen, raw_screen,
+      right_screen;  ///< ready for the screen (scene::screen_image()); null: not wanted
   OverlayFrame overlay;
   std::shared_ptr<const OverlayJob> made_from;       ///< null: there is no picture
   std::optional<guidance::LesionMeasures> measures;  ///< of the chosen lesion

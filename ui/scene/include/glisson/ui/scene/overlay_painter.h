@@ -68,6 +68,9 @@ struct OverlayInterest {
 std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const Camera& camera,
                                                const OverlayFrame& overlay, const Eigen::Vector2d& pixel);
 
+/// The same as the right camera has it: nodes and lesions in its frame, for a painter of its pictures.
+OverlayFrame seen_from_right(OverlayFrame overlay, const StereoRig& rig);
+
 /// Draws the deformed model into a frame of the laparoscope, through the camera's own matrix and lens.
 /// - Vessels have their structures' colours and fade with depth below the liver's surface. Hepatic veins are
 ///   hatched, so that colour is not the only cue. Lesions have a contour; the liver's outline and anterior
@@ -80,7 +83,7 @@ std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const
 /// QGuiApplication (see HeadlessGui).
 class OverlayPainter {
  public:
-  /// @param model CT frame. @pre it has tetrahedra. @param camera the left one, as calibrated.
+  /// @param model CT frame. @pre it has tetrahedra. @param camera as calibrated; overlays are in its frame.
   /// @throws InputError bad style.
   OverlayPainter(const PatientModel& model, const Camera& camera, const OverlayStyle& style = {});
   /// The same from what was made before, which may be shared. @param anterior_margin CT frame, metres; may be
@@ -92,7 +95,7 @@ class OverlayPainter {
   void set_style(const OverlayStyle& style);
   const OverlayStyle& style() const;
 
-  /// @param frame the left picture, distorted as it was taken. @throws InputError another size than the
+  /// @param frame the camera's picture, distorted as it was taken. @throws InputError another size than the
   /// camera's. @pre a valid overlay has one node a node of the model.
   Picture paint(const Picture& frame, const OverlayFrame& overlay, const OverlayStatus& status = {},
                 const OverlayInterest& interest = {});
