@@ -57,6 +57,7 @@ class RegionCutTest : public QObject {
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot_data() { each_room(); }
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot();
   void ALargeBiteIsFilledWhereTheLiverEnclosesIt();
+  void ATumourThatNoEdgePartsFromAMuscleIsTakenAndTheMuscleIsNot();
   void ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot();
   void WhatOnlyTheClicksTookForLiverIsNoOrgan();
   void ANotLiverClickKeepsTheTumourOut();
@@ -141,6 +142,31 @@ void RegionCutTest::ALargeBiteIsFilledWhereTheLiverEnclosesIt() {
   QVERIFY(Bitten(40.0, 0.0).takes_ball({47, 50, 46}, 32.0, 60.0F));
   // It leans on the liver with a third of its border.
   QVERIFY(!Bitten(40.0, 0.0).takes_ball({47, 88, 46}, 32.0, 60.0F));
+}
+
+void RegionCutTest::ATumourThatNoEdgePartsFromAMuscleIsTakenAndTheMuscleIsNot() {
+  // Half of it lies in the liver; a plate as dark as it is covers the liver's face, as the diaphragm the
+  // dome.
+  Bitten bitten(40.0, 0.0);
+  Field& ct = bitten.ct;
+  for (std::size_t i = 0; i < ct.values.size(); ++i) {
+    const Eigen::Vector3d p = Bitten::kVoxel * (ct.voxel_at(i) - bitten.room).cast<double>();
+    const bool is_plate = p.y() > 74.0 && p.y() < 90.0;
+    if (is_plate || (p - Eigen::Vector3d(46, 74, 46)).norm() < 30.0) ct.values[i] = 30.0F;
+  }
+  const Mask found = bitten.found(), nothing = ct.empty_mask();
+  const auto whole = [&](const std::vector<Eigen::Vector3i>& not_liver) {
+    Mask barred = nothing;  // what lies around a click is its side's
+    for (const Eigen::Vector3i& p : not_liver) barred.voxels[ct.offset(p)] = 1;
+    return with_enclosed(ct, found, kLiver, found, found, dilated(barred, 4.0), nothing, nothing,
+                         {{bitten.voxel(10, 8, 10)}, not_liver}, RunContext())
+        .value();
+  };
+  const Mask taken = whole({});
+  for (const int y : {25, 35}) QCOMPARE(int(taken.voxels[bitten.at(23, y, 23)]), 1);
+  QCOMPARE(int(taken.voxels[bitten.at(23, 43, 23)]), 0);
+  QCOMPARE(int(taken.voxels[bitten.at(8, 41, 8)]), 0);
+  QCOMPARE(int(whole({bitten.voxel(23, 30, 23)}).voxels[bitten.at(23, 25, 23)]), 0);
 }
 
 void RegionCutTest::ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot() {
