@@ -8,6 +8,8 @@
 
 #include "box_patient.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/ui/guidance/overlay_worker.h"
+#include "glisson/ui/scene/drawable_model.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "overlay_frames.h"
 #include "run_in_window.h"
@@ -41,6 +43,7 @@ class RightPictureTest : public QObject {
   void ALesionIsDrawnWhereTheRightCameraProjectsIt();
   void WhatIsNotKnownOfALesionTurnsAlong();
   void ItIsShownBesideTheLeftOneAndGoesAgain();
+  void OneOfAnotherSizeLeavesTheLeftOneAlone();
   void AHandDragsInItsPixels();
 };
 
@@ -103,6 +106,32 @@ void RightPictureTest::ItIsShownBesideTheLeftOneAndGoesAgain() {
   QVERIFY(button->isChecked());
   button->click();
   QTRY_VERIFY(!right->isVisible());
+}
+
+void RightPictureTest::OneOfAnotherSizeLeavesTheLeftOneAlone() {
+  ui::OverlayWorker worker;
+  ui::PaintedOverlay shown;
+  int count = 0;
+  connect(&worker, &ui::OverlayWorker::painted, this, [&](const ui::PaintedOverlay& painted) {
+    shown = painted;
+    ++count;
+  });
+  StereoRig rig;
+  rig.left = rig.right = laparoscope();
+  ui::OverlayJob job;
+  job.model = scene::make_drawable(std::make_shared<const PatientModel>(box_patient()));
+  job.rig = std::make_shared<const StereoRig>(rig);
+  job.overlay = at(job.model->model->mesh.vertices.rowwise() + Eigen::RowVector3d(0.0, 0.0, 0.13));
+  job.frame = job.right = grey_frame(rig.left);
+  job.with_right = true;
+  worker.submit(job);
+  QTRY_COMPARE(count, 1);
+  QVERIFY(!shown.right.empty());
+  rig.right.width /= 2;
+  job.right = grey_frame(rig.right);
+  worker.submit(job);
+  QTRY_COMPARE(count, 2);
+  QVERIFY(shown.right.empty() && !shown.picture.empty());
 }
 
 void RightPictureTest::AHandDragsInItsPixels() {

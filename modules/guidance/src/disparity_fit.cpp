@@ -33,12 +33,12 @@ const Lanes& across() {
 }
 
 /// The left picture's patch, its grey levels about their mean: single precision is enough then.
-struct Patch {
+struct LeftPatch {
   Lanes rows[kSide];
   float mean = 0.0F;
   double squares = 0.0;
 
-  Patch(const cv::Mat& left, int x, int y) {
+  LeftPatch(const cv::Mat& left, int x, int y) {
     int sum = 0;
     for (int j = 0; j < kSide; ++j)
       for (int i = 0; i < kSide; ++i) sum += left.ptr<std::uint8_t>(y + j - kHalf)[x + i - kHalf];
@@ -86,7 +86,7 @@ struct Sums {
     all << -gain * sum(se), -gain * moment(se), -gain * sum(sej), sum(ve), sum(e);
     return all;
   }
-  double correlation(const Patch& left) const {
+  double correlation(const LeftPatch& left) const {
     const double right = sum(v), rr = sum(vv) - right * right / kCount;
     return left.squares > 0.0 && rr > 0.0 ? sum(lv) / std::sqrt(left.squares * rr) : 0.0;
   }
@@ -101,7 +101,7 @@ struct State {
 };
 
 /// @return false: the patch leaves the right picture.
-bool look(const Patch& patch, const cv::Mat& right, int x, int y, const State& state, Sums& sums) {
+bool look(const LeftPatch& patch, const cv::Mat& right, int x, int y, const State& state, Sums& sums) {
   const double step = 1.0 - state.slope_x;
   for (int j = -kHalf; j <= kHalf; ++j) {
     const auto* r = right.ptr<std::uint8_t>(y + j);
@@ -132,7 +132,7 @@ bool look(const Patch& patch, const cv::Mat& right, int x, int y, const State& s
 std::optional<FittedDisparity> fit_disparity(const cv::Mat& left, const cv::Mat& right, int x, int y,
                                              double start) {
   if (x < kHalf || y < kHalf || x + kHalf >= left.cols || y + kHalf >= left.rows) return std::nullopt;
-  const Patch patch(left, x, y);
+  const LeftPatch patch(left, x, y);
   State state{start};
   for (int step = 0;; ++step) {
     Sums sums;

@@ -23,11 +23,13 @@ class Easel {
     const bool is_right = view_ == StereoView::right;
     const Picture& frame = is_right ? job.right : job.frame;
     if (!job.model || !job.rig || frame.empty()) return frame;
+    const Camera& camera = is_right ? job.rig->right : job.rig->left;
+    // The left picture, and its recording, do not end because the right one is of another camera.
+    if (is_right && (frame.width != camera.width || frame.height != camera.height)) return {};
     if (!painter_ || model_ != job.model || rig_ != job.rig || margin_ != job.margin) {
       painter_.reset();
-      painter_ =
-          std::make_unique<scene::OverlayPainter>(job.model, job.margin ? *job.margin : Points(),
-                                                  is_right ? job.rig->right : job.rig->left, job.style);
+      painter_ = std::make_unique<scene::OverlayPainter>(job.model, job.margin ? *job.margin : Points(),
+                                                         camera, job.style);
       margin_ = job.margin;
       model_ = job.model;
       rig_ = job.rig;
