@@ -94,6 +94,11 @@ void EachFrameTest::WhatIsThrownEndsIt() {
 
 /// The first frame of the span is one of a former opening.
 void EachFrameTest::ALiveSourceIsNotWaitedFor() {
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+  QSKIP("QProcess starts programs by clone(), in which clang 14's runtime of ThreadSanitizer ends itself");
+#endif
+#endif
   PeerProcess server({"serve", "good"});
   const QString port = server.wait_for([](const Words& words) { return words.value(0) == "port"; }).value(1);
   stereo::StereoVideo video(stereo::igtl_source("127.0.0.1:" + port.toStdString() + "/Left,Right"));
