@@ -33,24 +33,6 @@ scene::OverlayStyle only_lesions() {
   return style;
 }
 
-/// Centre of what differs between two pictures.
-Eigen::Vector2d centre_of_change(const Picture& a, const Picture& b, int* count = nullptr) {
-  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
-  int changed = 0;
-  for (int v = 0; v < a.height; ++v)
-    for (int u = 0; u < a.width; ++u) {
-      const auto i = static_cast<std::size_t>(3 * (v * a.width + u));
-      if ((*a.bytes)[i] == (*b.bytes)[i] && (*a.bytes)[i + 1] == (*b.bytes)[i + 1] &&
-          (*a.bytes)[i + 2] == (*b.bytes)[i + 2])
-        continue;
-      low = low.cwiseMin(Eigen::Vector2d(u, v));
-      high = high.cwiseMax(Eigen::Vector2d(u, v));
-      ++changed;
-    }
-  if (count != nullptr) *count = changed;
-  return 0.5 * (low + high);
-}
-
 }  // namespace
 
 class OverlayTest : public QObject {

@@ -16,27 +16,6 @@
 #include "tracked_case.h"
 
 namespace glisson {
-namespace {
-
-/// Where two pictures differ, on average.
-Eigen::Vector2d middle_of_change(const Picture& a, const Picture& b) {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  int count = 0;
-  for (int v = 0; v < a.height; ++v)
-    for (int u = 0; u < a.width; ++u) {
-      const auto i = static_cast<std::size_t>(3 * (v * a.width + u));
-      if (std::equal(a.bytes->begin() + static_cast<std::ptrdiff_t>(i),
-                     a.bytes->begin() + static_cast<std::ptrdiff_t>(i + 3),
-                     b.bytes->begin() + static_cast<std::ptrdiff_t>(i)))
-        continue;
-      sum += Eigen::Vector2d(u, v);
-      ++count;
-    }
-  return count > 0 ? Eigen::Vector2d(sum / count) : Eigen::Vector2d(-1.0, -1.0);
-}
-
-}  // namespace
-
 class RightPictureTest : public QObject {
   Q_OBJECT
  private slots:
@@ -65,7 +44,7 @@ void RightPictureTest::ALesionIsDrawnWhereTheRightCameraProjectsIt() {
   const Picture frame = grey_frame(rig.right);
   const OverlayFrame left = at(model.mesh.vertices.rowwise() + shift.transpose());
   const Eigen::Vector2d seen =
-      middle_of_change(frame, painter.paint(frame, scene::seen_from_right(left, rig)));
+      centre_of_change(frame, painter.paint(frame, scene::seen_from_right(left, rig)));
   const Eigen::Vector3d in_left = lesion + shift;
   // Written out: x to the right, as the rotation above has it.
   const Eigen::Vector3d in_right(std::cos(angle) * in_left.x() - std::sin(angle) * in_left.z() - 0.006,
