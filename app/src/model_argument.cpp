@@ -109,7 +109,8 @@ void say_stiffness(const Arguments& arguments, Session& session) {
 fem::CompositeOptions materials(const Arguments& arguments) {
   fem::CompositeOptions options = fem::composite_preset(arguments.value("materials").toStdString());
   if (arguments.has("young")) options.parenchyma.young_modulus = arguments.number("young", 1.0, 1e9);
-  if (arguments.has("poisson")) options.parenchyma.poisson_ratio = arguments.number("poisson", 0.0, 0.499);
+  options.ratio_is_given = arguments.has("poisson");
+  if (options.ratio_is_given) options.parenchyma.poisson_ratio = arguments.number("poisson", 0.0, 0.499);
   if (const auto said = given_stiffness(arguments); said && said->parenchyma)
     options.parenchyma.young_modulus = *said->parenchyma;
   if (arguments.has("homogeneous")) options.with_capsule = options.with_vessels = false;

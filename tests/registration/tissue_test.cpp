@@ -217,6 +217,11 @@ void TissueTest::APoissonRatioThatIsGivenHoldsForForcesAndOperations() {
   options.materials = fem::CompositeOptions();
   ContactForceOptions forces = forces_with(model_, elastic_of(options, model_), {});
   QCOMPARE(forces.poisson_ratios, ContactForceOptions().poisson_ratios);  // by evidence
+  options.materials->ratio_is_given = true;
+  forces = forces_with(model_, elastic_of(options, model_), {});
+  QVERIFY(forces.poisson_ratios.empty());  // the usual ratio is one, too
+  for (const fem::BodyMaterial& material : forces.materials)
+    QCOMPARE(material.poisson_ratio, options.materials->parenchyma.poisson_ratio);
   options.materials->parenchyma.poisson_ratio = 0.3;
   forces = forces_with(model_, elastic_of(options, model_), {});
   QVERIFY(forces.poisson_ratios.empty());

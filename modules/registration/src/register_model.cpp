@@ -142,7 +142,7 @@ ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions&
     forces.stiffness = fem::stiffness_over_parenchyma(model.mesh, elastic.materials);
   // A ratio that somebody gives is not for the evidence to choose.
   const double ratio = elastic.materials.parenchyma.poisson_ratio;
-  if (ratio == fem::Material().poisson_ratio) return forces;
+  if (!elastic.materials.ratio_is_given && ratio == fem::Material().poisson_ratio) return forces;
   for (fem::BodyMaterial& material : forces.materials) material.poisson_ratio = ratio;
   forces.poisson_ratios.clear();
   return forces;
