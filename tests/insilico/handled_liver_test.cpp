@@ -30,6 +30,8 @@ class HandledLiverTest : public QObject {
  private slots:
   void IsBentAsFarAsIsWanted();
   void StaysWhereTheVenaCavaHoldsIt();
+  void ASwollenOneIsLarger();
+  void OfAResectedOneAPieceIsGone();
   void SameSeedGivesTheSameBits();
   void ThePatchIsOfItsSurface();
   void ALaparoscopeThatGoesRoundShowsOnlyWhatItSees();
@@ -56,6 +58,33 @@ void HandledLiverTest::StaysWhereTheVenaCavaHoldsIt() {
   const Points cava = handled->landmarks().vena_cava;
   const Points moved = handled->camera_from_ct().inverse().apply(handled->carry(cava));
   QVERIFY((moved - cava).rowwise().norm().mean() < 2e-3);
+}
+
+void HandledLiverTest::ASwollenOneIsLarger() {
+  const TriangleMesh ct = insilico::test::liver_surface(36);
+  for (const auto& [handling, least, most] :
+       {std::tuple(Handling::swollen, 1.03, 1.15), {Handling::pulled, 0.97, 1.03}}) {
+    const auto handled = HandledLiver::build(patient_, small(handling), RunContext());
+    const double grown = volume(TriangleMesh{handled->carry(ct.vertices), ct.triangles}) / volume(ct);
+    QVERIFY2(grown > least && grown < most, qPrintable(QString::number(grown)));
+  }
+}
+
+void HandledLiverTest::OfAResectedOneAPieceIsGone() {
+  PatchOptions all;
+  all.share = 1.0;
+  all.noise_mm = 0.0;
+  const auto farthest = [&](Handling handling) {
+    const auto handled = HandledLiver::build(patient_, small(handling), RunContext());
+    const Points there = handled->carry(insilico::test::liver_surface(36).vertices),
+                 seen = handled->patch(all).cloud.points;
+    double most = 0.0;
+    for (Eigen::Index v = 0; v < there.rows(); ++v)
+      most = std::max(most, (seen.rowwise() - there.row(v)).rowwise().norm().minCoeff());
+    return most;
+  };
+  QVERIFY(farthest(Handling::resected) > 15e-3);
+  QVERIFY(farthest(Handling::pulled) < 10e-3);
 }
 
 void HandledLiverTest::SameSeedGivesTheSameBits() {

@@ -57,7 +57,8 @@ class Study {
     const auto seed = kFirstSeed + options_.seed * 100 + static_cast<std::uint64_t>(number);
     const ProofPatient patient{"synthetic", ProofSet::development, ProofPatient::Kind::synthetic,
                                static_cast<int>(seed), ""};
-    const auto stage = build_stage(patient, {}, seed, context.part(0.0, 0.3));
+    const auto stage =
+        build_stage(patient, {}, seed, static_cast<std::size_t>(options_.handlings), context.part(0.0, 0.3));
     if (!stage) return false;
     double done = 0.3;
     for (const LandmarkSource source : kLandmarkSources) {
@@ -244,8 +245,8 @@ void LandmarkEffectOptions::validate() const {
   if (!atlas) throw InputError("landmark effect", "atlas", "is not there", "Give an atlas");
   const OptionCheck demand("landmark effect");
   demand(patients > 0, "patients", patients, "Give one at least");
-  static_assert(std::size(insilico::kHandlings) == 4);
-  demand(handlings > 0 && handlings <= 4, "handlings", handlings, "Give 1 to 4");
+  static_assert(std::size(insilico::kHandlings) == 9);
+  demand(handlings > 0 && handlings <= 9, "handlings", handlings, "Give 1 to 9");
   demand(share > 0.0 && share <= 1.0, "share", share, "Give a share in (0, 1]");
 }
 

@@ -83,6 +83,7 @@ Cancellable<Proven> run_registration(const ProofChoices& choices, const fs::path
   options.validation = !choices.development_only;
   options.former = choices.former;
   options.looks_alone = choices.looks;
+  if (choices.looks) options.handlings = std::min<std::size_t>(options.handlings, 4);
   return proven_of(prove_registration(options, folder, context));
 }
 

@@ -91,6 +91,7 @@ RegistrationProofOptions RegistrationProofOptions::quick() {
   RegistrationProofOptions options;
   options.patients = 2;
   options.shares = {0.3};
+  options.handlings = kMuchTriedHandlings;
   options.rivals = false;
   return options;
 }
@@ -100,6 +101,8 @@ void RegistrationProofOptions::validate() const {
   demand(!shares.empty(), "shares", 0.0, "Give one at least");
   for (const double share : shares)
     demand(share > 0.0 && share <= 1.0, "shares", share, "Give shares in (0, 1]");
+  static_assert(std::size(insilico::kHandlings) == 9);
+  demand(handlings > 0 && handlings <= 9, "handlings", static_cast<double>(handlings), "Give 1 to 9");
 }
 
 Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,
@@ -113,7 +116,8 @@ Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions
   std::vector<std::optional<RegistrationStage>> built(patients.size());
   const bool all_built =
       on_threads(options.threads, patients.size(), context.part(0.0, 0.2), [&](std::size_t i) {
-        built[i] = build_stage(patients[i], options.data, options.seed + i, context.quiet());
+        built[i] =
+            build_stage(patients[i], options.data, options.seed + i, options.handlings, context.quiet());
       });
   if (!all_built) return std::nullopt;
   std::vector<RegistrationStage> stages;

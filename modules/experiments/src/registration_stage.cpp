@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "glisson/core/random.h"
 #include "glisson/geometry/distance.h"
@@ -147,21 +148,23 @@ Rigid<CameraFrame, CameraFrame> gone_round(const RegistrationStage& stage, std::
 }  // namespace
 
 Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const std::filesystem::path& data,
-                                           std::uint64_t seed, const RunContext& context) {
+                                           std::uint64_t seed, std::size_t handlings,
+                                           const RunContext& context) {
   auto loaded = load(patient, data, context.part(0.0, 0.4));
   if (!loaded) return std::nullopt;
   RegistrationStage stage;
   stage.patient = patient;
   stage.model = std::move(loaded->model);
   double done = 0.4;
-  for (const insilico::Handling handling : insilico::kHandlings) {
+  const double step = 0.6 / static_cast<double>(handlings);
+  for (const insilico::Handling handling : std::span(insilico::kHandlings).first(handlings)) {
     insilico::HandlingOptions options;
     options.seed = seed + 100 * (static_cast<std::uint64_t>(handling) + 1);
     options.handling = handling;
-    auto handled = insilico::HandledLiver::build(loaded->shown, options, context.part(done, done + 0.15));
+    auto handled = insilico::HandledLiver::build(loaded->shown, options, context.part(done, done + step));
     if (!handled) return std::nullopt;
     stage.handled.push_back(std::move(*handled));
-    done += 0.15;
+    done += step;
   }
   stage.found = stage.model.landmarks;
   stage.model.landmarks = clicked(stage.found, stage.handled.front().landmarks(), seed);

@@ -12,12 +12,16 @@
 
 namespace glisson::experiments {
 
-/// A patient, handled in every way, before a camera.
+/// So many of insilico::kHandlings, the first ones, are tried with every share of the surface and with every
+/// fault; the others with the share of the faults alone.
+inline constexpr std::size_t kMuchTriedHandlings = 4;
+
+/// A patient, handled in many ways, before a camera.
 struct RegistrationStage {
   ProofPatient patient;
   PatientModel model;  ///< that is registered; notch and vena cava as a person clicked them
   Landmarks found;     ///< what the model shows by itself, before anybody clicked; CT frame
-  std::vector<insilico::HandledLiver> handled;  ///< in the order of insilico::kHandlings
+  std::vector<insilico::HandledLiver> handled;  ///< in the order of insilico::kHandlings, the first ones
   Points lesions;  ///< three places deep in the liver and far from each other, CT frame
 
   const insilico::HandledLiver& by(std::size_t handling) const { return handled[handling]; }
@@ -39,9 +43,10 @@ class StageRegistrar {
   RunContext context_;
   registration::KnownOperations known_;
 };
-/// @throws Error. Empty: cancelled.
+/// @param handlings how many of insilico::kHandlings. @throws Error. Empty: cancelled.
 Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const std::filesystem::path& data,
-                                           std::uint64_t seed, const RunContext& context);
+                                           std::uint64_t seed, std::size_t handlings,
+                                           const RunContext& context);
 
 /// What is wrong with a cloud, or with where the registration starts.
 enum class RegistrationFault {

@@ -190,13 +190,14 @@ void run_trials(const RegistrationStage& stage, const RegistrationStage& other,
   const auto seed = [&](std::size_t k) { return options.seed + 1000 * (number + 1) + k; };
   for (std::size_t handling = 0; handling < stage.handled.size(); ++handling)
     for (std::size_t s = 0; s < options.shares.size(); ++s) {
+      if (handling >= kMuchTriedHandlings && options.shares[s] != kFaultShare) continue;
       const ShownLiver shown = shown_liver(stage, handling, options.shares[s], seed(10 * handling + s));
       if (!trials.run(shown, handling, options.shares[s], RegistrationFault::none)) return;
     }
   for (const RegistrationFault fault : kRegistrationFaults) {
     if (fault == RegistrationFault::none) continue;
     const auto k = static_cast<std::size_t>(fault);
-    const std::size_t handling = (number + k) % stage.handled.size();
+    const std::size_t handling = (number + k) % std::min(kMuchTriedHandlings, stage.handled.size());
     const LabelledCloud cloud = faulty_cloud(stage, other, handling, kFaultShare, fault, seed(100 + k));
     if (!trials.run({cloud, {}}, handling, kFaultShare, fault)) break;
   }

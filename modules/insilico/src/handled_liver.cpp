@@ -3,13 +3,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/geometry/topology.h"
 #include "glisson/insilico/ray_caster.h"
 #include "handled_loads.h"
 #include "operator_hand.h"
@@ -24,20 +27,86 @@ constexpr int kFineTriangles = 12000;
 constexpr double kErrorLength = 0.015;  // m over which the surface's error is alike
 constexpr double kFirstWay = 0.012, kGrowth = 1.5, kNear = 0.04;
 constexpr int kMostSteps = 14;
+constexpr double kKindLength = 0.03;                            // m over which tissue is of one kind
+constexpr double kTumourRadius = 0.017, kTumourModulus = 10.0;  // m; over the parenchyma's
 
-/// A smooth error of the surface along its normals: a Gaussian field by random Fourier features (Rahimi and
-/// Recht 2007).
-void misdraw(TriangleMesh& surface, double deviation, Hand& hand) {
+/// A Gaussian field of deviation 1 by random Fourier features (Rahimi and Recht 2007), at points.
+/// @param length over which it is alike, m
+Eigen::VectorXd smooth_field(const Points& at, double length, Hand& hand) {
   constexpr int kWaves = 64;
+  Eigen::VectorXd field = Eigen::VectorXd::Zero(at.rows());
+  for (int k = 0; k < kWaves; ++k) {
+    const Eigen::Vector3d wave = hand.tremor3() / length;
+    const double phase = 2.0 * std::numbers::pi * hand.uniform();
+    field.array() += ((at * wave).array() + phase).cos();
+  }
+  return std::sqrt(2.0 / kWaves) * field;
+}
+
+/// A smooth error of the surface along its normals.
+void misdraw(TriangleMesh& surface, double deviation, Hand& hand) {
   if (deviation <= 0.0) return;
   const Points normals = vertex_normals(surface);
-  Eigen::VectorXd error = Eigen::VectorXd::Zero(surface.vertex_count());
-  for (int k = 0; k < kWaves; ++k) {
-    const Eigen::Vector3d wave = hand.tremor3() / kErrorLength;
-    const double phase = 2.0 * std::numbers::pi * hand.uniform();
-    error.array() += ((surface.vertices * wave).array() + phase).cos();
+  surface.vertices += (deviation * smooth_field(surface.vertices, kErrorLength, hand)).asDiagonal() * normals;
+}
+
+/// What a handling does to the organ itself, before any tool.
+struct Body {
+  TetMesh mesh;  ///< free of stress
+  fem::CompositeOptions tissue;
+};
+
+/// Four kinds of parenchyma by a smooth field, from half to twice the usual modulus, and a hard tumour.
+void stiffen(Body& body, Hand& hand) {
+  constexpr int kFirstKind = 1000, kTumour = 1100;
+  constexpr std::array kModuli = {0.5, 0.8, 1.3, 2.0};
+  TetMesh& mesh = body.mesh;
+  Points middles = Points::Zero(mesh.tetrahedron_count(), 3);
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t)
+    for (int k = 0; k < 4; ++k) middles.row(t) += 0.25 * mesh.vertices.row(mesh.tetrahedra(t, k));
+  const Eigen::VectorXd field = smooth_field(middles, kKindLength, hand);
+  const Eigen::RowVector3d tumour =
+      middles.row(static_cast<Eigen::Index>(hand.draw(static_cast<std::size_t>(middles.rows()))));
+  const double radius = kTumourRadius * (0.8 + 0.4 * hand.uniform());
+  mesh.labels.resize(static_cast<std::size_t>(mesh.tetrahedron_count()));
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
+    // Quartiles of a normal distribution.
+    const int kind = field[t] < -0.674 ? 0 : field[t] < 0.0 ? 1 : field[t] < 0.674 ? 2 : 3;
+    mesh.labels[static_cast<std::size_t>(t)] =
+        (middles.row(t) - tumour).norm() < radius ? kTumour : kFirstKind + kind;
   }
-  surface.vertices += (std::sqrt(2.0 / kWaves) * deviation * error).asDiagonal() * normals;
+  for (std::size_t k = 0; k < kModuli.size(); ++k)
+    body.tissue.by_label[static_cast<Label>(kFirstKind + static_cast<int>(k))] = {kModuli[k] * kYoungModulus,
+                                                                                  kPoissonRatio};
+  body.tissue.by_label[kTumour] = {kTumourModulus * kYoungModulus, kPoissonRatio};
+}
+
+/// Larger about its middle.
+void swell(Body& body, Hand& hand) {
+  const Eigen::RowVector3d middle = body.mesh.vertices.colwise().mean();
+  const double factor = std::cbrt(1.06 + 0.08 * hand.uniform());
+  body.mesh.vertices = (factor * (body.mesh.vertices.rowwise() - middle)).rowwise() + middle;
+}
+
+/// What lies beyond a plane across the margin goes onto the plane: a twelfth of the surface.
+void resect(TriangleMesh& surface, const Points& margin, Hand& hand) {
+  constexpr double kGone = 1.0 / 12.0;
+  if (margin.rows() == 0) throw NumericalError("This liver has no margin from which a piece could be taken.");
+  const auto at = static_cast<Eigen::Index>(hand.draw(static_cast<std::size_t>(margin.rows())));
+  const Eigen::RowVector3d middle = surface.vertices.colwise().mean();
+  const Eigen::Vector3d out = (margin.row(at) - middle).transpose().normalized();
+  const Eigen::VectorXd along = surface.vertices * out, areas = vertex_areas(surface);
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(along.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return along[a] > along[b]; });
+  double gone = 0.0, plane = along.maxCoeff();
+  for (const Eigen::Index v : order) {
+    if (gone > kGone * areas.sum()) break;
+    gone += areas[v];
+    plane = along[v];
+  }
+  for (Eigen::Index v = 0; v < along.size(); ++v)
+    if (along[v] > plane) surface.vertices.row(v) += (plane - along[v]) * out.transpose();
 }
 
 /// A camera in front of and below the liver, looking at some place on it, turned at random about its axis.
@@ -74,9 +143,9 @@ fem::CompositeOptions tissue() {
 }
 
 /// Goes on with the handling until the organ is bent as far as is wanted, or no further equilibrium is found.
-Cancellable<Points> handle(const fem::CompositeModel& model, const HandledLoads& loads, double wanted,
-                           const RunContext& context) {
-  const Points& rest = model.mesh().vertices;
+/// @param rest where it is in the CT
+Cancellable<Points> handle(const fem::CompositeModel& model, const Points& rest, const HandledLoads& loads,
+                           double wanted, const RunContext& context) {
   fem::StaticOptions newton;
   newton.fixed_nodes = loads.fixed();
   newton.tolerance = 1e-4;
@@ -121,6 +190,16 @@ const char* handling_code(Handling handling) {
       return "turned";
     case Handling::pulled:
       return "pulled";
+    case Handling::loosened:
+      return "loosened";
+    case Handling::inflated:
+      return "inflated";
+    case Handling::stiffened:
+      return "stiffened";
+    case Handling::swollen:
+      return "swollen";
+    case Handling::resected:
+      return "resected";
   }
   return "unknown";
 }
@@ -160,9 +239,14 @@ Cancellable<HandledLiver> HandledLiver::build(const PatientModel& patient, const
   if (!mesh) return std::nullopt;
   impl->mesh = std::move(*mesh);
   impl->landmarks = complete_landmarks(patient.landmarks, closed);
-  const fem::CompositeModel body(impl->mesh, {}, tissue());
-  const HandledLoads loads(body.surface(), impl->landmarks, options);
-  const auto handled = handle(body, loads, 1e-3 * options.elastic_motion_mm, context.part(0.3, 0.9));
+  Body organ{impl->mesh, tissue()};
+  Hand change(options.seed * 6007 + 5);
+  if (options.handling == Handling::stiffened) stiffen(organ, change);
+  if (options.handling == Handling::swollen) swell(organ, change);
+  const fem::CompositeModel body(organ.mesh, {}, organ.tissue);
+  const HandledLoads loads(boundary_surface(impl->mesh), impl->landmarks, options);
+  const auto handled =
+      handle(body, impl->mesh.vertices, loads, 1e-3 * options.elastic_motion_mm, context.part(0.3, 0.9));
   if (!handled) return std::nullopt;
   const auto best = fit_rigid<CtFrame, CtFrame>(impl->mesh.vertices, *handled);
   const Eigen::VectorXd motion = (best.apply(impl->mesh.vertices) - *handled).rowwise().norm();
@@ -172,6 +256,7 @@ Cancellable<HandledLiver> HandledLiver::build(const PatientModel& patient, const
   Hand hand(options.seed * 7919 + 17);
   TriangleMesh fine = refine_for_drawing(closed, kFineTriangles);
   misdraw(fine, 1e-3 * options.surface_error_mm, hand);
+  if (options.handling == Handling::resected) resect(fine, impl->landmarks.anterior_margin, change);
   const Binding binding = bind_points(impl->mesh, fine.vertices, false);
   impl->camera_from_ct =
       look_at(binding.apply(impl->mesh, *handled), 1e-3 * options.camera_distance_mm, hand);

@@ -16,11 +16,19 @@ enum class Handling {
   lifted,   ///< a tool takes a lobe by its margin and lifts it off the bed
   pressed,  ///< a broad retractor presses the front
   turned,   ///< the patient lies on the left side
-  pulled    ///< one to three places anywhere are pulled or pressed, askew
+  pulled,   ///< one to three places anywhere are pulled or pressed, askew
+  /// Falciform and triangular ligaments and the bare area are cut: the liver hangs on its vena cava alone and
+  /// sags to the left.
+  loosened,
+  inflated,   ///< gas presses all that does not lie on the bed, and carries the diaphragm up
+  stiffened,  ///< its tissue differs from place to place, with a hard tumour in it; lifted by a tool
+  swollen,    ///< larger by 6 to 14 % of its volume, and pulled at one place
+  resected    ///< a piece with a part of the margin is gone, and the rest is pulled at one place
 };
-inline constexpr Handling kHandlings[] = {Handling::lifted, Handling::pressed, Handling::turned,
-                                          Handling::pulled};
-/// "lifted", "pressed", "turned", "pulled".
+inline constexpr Handling kHandlings[] = {Handling::lifted,    Handling::pressed,  Handling::turned,
+                                          Handling::pulled,    Handling::loosened, Handling::inflated,
+                                          Handling::stiffened, Handling::swollen,  Handling::resected};
+/// "lifted", "pressed", ...: as in the code.
 const char* handling_code(Handling handling);
 
 /// What is done to the liver, and how far it goes.
@@ -38,7 +46,8 @@ struct HandlingOptions {
 /// A patient's liver handled by somebody, before a camera: a truth for registration whose boundary laws,
 /// faces and numbers are its own. Neo-Hookean on a mesh of its own, fixed around the vena cava, hung up at
 /// the bare area, on a bed that only presses; tools hold tissue by stiff springs and are moved until the
-/// organ is bent as far as is wanted. The same patient and options give the same bits. Thread-safe.
+/// organ is bent as far as is wanted. A resected piece is gone for the camera alone; the rest bends as if it
+/// were there. The same patient and options give the same bits. Thread-safe.
 class HandledLiver {
  public:
   /// @param patient surfaces (liver required) and landmarks as Theatre::build takes them, CT frame.
