@@ -29,6 +29,7 @@ class RegisterTest : public QObject {
   void OperationsAreSimulatedOnceForAModel();
   void ProgressNeverGoesBack();
   void WhereALookHelpsIsToldOfEachLesion();
+  void ANotchThatIsNotMarkedIsNotedAndNoDoubt();
   void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
   void TheExpectedErrorGoesWithTheRegistration();
   void AnotherPlaceIsTakenAndGivenBack();
@@ -105,6 +106,22 @@ void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
   };
   QVERIFY(tells_of_looks(applied->notes));
   QVERIFY(tells_of_looks(registration.notes));  // told with the registration, however long it is kept
+}
+
+void RegisterTest::ANotchThatIsNotMarkedIsNotedAndNoDoubt() {
+  CaseState state = phantom_case();
+  const auto told = [&state](const std::string& list) {
+    const Registration& made = *after(state, register_on_few())[part::registration];
+    const std::vector<std::string>& all = list == "notes" ? made.notes : made.doubts;
+    return std::count(all.begin(), all.end(), "no_notch");
+  };
+  QCOMPARE(told("notes"), 0);
+  LabelledCloud unmarked = *state[part::cloud];
+  std::replace(unmarked.features.begin(), unmarked.features.end(), Feature::umbilical_notch,
+               Feature::surface);
+  state[part::cloud] = std::make_shared<const LabelledCloud>(std::move(unmarked));
+  QCOMPARE(told("notes"), 1);
+  QCOMPARE(told("doubts"), 0);
 }
 
 void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {

@@ -40,19 +40,19 @@ class VerdictTest : public QObject {
   void AnExpectedErrorThatIsNoNumberIsADoubt() {
     Findings findings = sound();
     findings.expected = std::numeric_limits<double>::quiet_NaN();
-    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large inf 8"});
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large inf 6"});
   }
 
   void ALesionMayBeLessKnownThanTheOrgan() {
     Findings findings = sound();
     findings.lesions = {{"lesion_1", 5e-3}, {"lesion_2", 9.5e-3}};
-    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"lesion_2.error_large 9.5 8"});
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"lesion_2.error_large 9.5 6"});
     QVERIFY(!judge(findings).refused);
     findings.lesions.back().expected = std::numeric_limits<double>::quiet_NaN();
-    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"lesion_2.error_large inf 8"});
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"lesion_2.error_large inf 6"});
     // Where the whole organ is told, its lesions are not told once more.
     findings.expected = 9e-3;
-    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large 9 8"});
+    QCOMPARE(judge(findings).doubts, std::vector<std::string>{"expected_error_large 9 6"});
   }
 
   void EachFindingHasItsDoubt_data() {
@@ -62,8 +62,8 @@ class VerdictTest : public QObject {
     QTest::addColumn<bool>("refused");
     QTest::newRow("noisy") << "cloud_noisy 4.5 3.6" << 0 << 4.5e-3 << false;
     QTest::newRow("noise") << "cloud_noisy 12 6" << 0 << 12e-3 << true;
-    QTest::newRow("far off") << "expected_error_large 9 8" << 1 << 9e-3 << false;
-    QTest::newRow("hardly known") << "expected_error_large 80 8" << 1 << 80e-3 << false;
+    QTest::newRow("far off") << "expected_error_large 9 6" << 1 << 9e-3 << false;
+    QTest::newRow("hardly known") << "expected_error_large 80 6" << 1 << 80e-3 << false;
     QTest::newRow("symmetric") << "mirror_fits 5 10" << 2 << 5.0 << false;
     QTest::newRow("mirrored") << "mirror_fits -40 0" << 2 << -40.0 << true;
     QTest::newRow("turned") << "points_turned 30 15" << 3 << 0.3 << false;

@@ -134,6 +134,7 @@ std::vector<std::string> notes_of(const CaseState& state, const PatientModel& mo
   const auto add = [&notes](std::vector<std::string> more) {
     notes.insert(notes.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
+  if (std::isnan(examined.findings.notch_off)) notes.emplace_back("no_notch");
   for (const Label gone : fem::lesions_not_there(options.tissue, model))
     notes.push_back("tissue.no_lesion " + structure_name(gone));
   add(landmark_notes(state));

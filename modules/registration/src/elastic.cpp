@@ -155,15 +155,13 @@ class ElasticRun {
     registration_.nodes_in_camera = integrator_.positions();
     registration_.residual = mean_distance(pairs_);
     registration_.seen_share = seen_share(surface_.mesh(), cloud_.cloud.points);
-    int margin = 0, notch = 0, kept = 0;
+    int margin = 0, kept = 0;
     for (const Pair& pair : pairs_) {
       margin += pair.feature == Feature::anterior_margin;
-      notch += pair.feature == Feature::umbilical_notch;
       kept += pair.kept;
     }
     auto& doubts = registration_.doubts;
     if (margin < 5 || !surface_.has(Feature::anterior_margin)) doubts.emplace_back("few_margin_points");
-    if (notch == 0 || !surface_.has(Feature::umbilical_notch)) doubts.emplace_back("no_notch");
     if (registration_.seen_share < kLittleSeen) doubts.emplace_back("little_surface_seen");
     if (kept < 0.8 * static_cast<double>(pairs_.size())) doubts.emplace_back("many_outliers");
     if (registration_.residual > kLargeResidual) doubts.emplace_back("residual_large");

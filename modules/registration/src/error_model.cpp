@@ -28,6 +28,11 @@ constexpr double kUntold = 1.6;
 constexpr std::size_t kLeastPlaces = 3;
 /// So many amplitudes of the expected size are believed in before any is seen.
 constexpr double kBelieved = 5.0;
+/// 95 % of the squared distance of Student's distribution of three degrees of freedom in space: three times
+/// that of F(3, 3).
+constexpr double kStudent95 = 3.0 * 9.2766;
+/// Its mean length over that of the normal distribution of the same scale: sqrt(3 / 2) Gamma(1) / Gamma(3/2).
+constexpr double kStudentMean = 1.3820;
 
 /// Turns every node's vector.
 void turn(fem::NodalColumns& columns, const Eigen::Matrix3d& rotation) {
@@ -74,14 +79,17 @@ Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance) {
   return (kEllipsoid95 * eigen.eigenvalues().cwiseMax(0.0)).cwiseSqrt().reverse();
 }
 
-/// Exact along a line, in a plane and in space where the deviations are alike, between them by the number of
-/// directions that count: n = (tr C)^2 / tr C^2, E|x| = sqrt(2 tr C / n) Gamma((n + 1) / 2) / Gamma(n / 2).
+/// Of a normal distribution exact along a line, in a plane and in space where the deviations are alike,
+/// between them by the number of directions that count: n = (tr C)^2 / tr C^2, E|x| = sqrt(2 tr C / n)
+/// Gamma((n + 1) / 2) / Gamma(n / 2). Student's of the same 95 % has a smaller scale and longer tails.
 double mean_error(const Eigen::Matrix3d& covariance) {
   const double trace = covariance.trace(), square = covariance.squaredNorm();
   if (!covariance.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   if (!(trace > 0.0)) return 0.0;
   const double n = trace * trace / square;
-  return std::sqrt(2.0 * trace / n) * std::exp(std::lgamma(0.5 * (n + 1.0)) - std::lgamma(0.5 * n));
+  const double normal =
+      std::sqrt(2.0 * trace / n) * std::exp(std::lgamma(0.5 * (n + 1.0)) - std::lgamma(0.5 * n));
+  return normal * kStudentMean * std::sqrt(kEllipsoid95 / kStudent95);
 }
 
 void ErrorModelOptions::validate() const {

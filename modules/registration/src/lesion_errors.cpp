@@ -2,6 +2,7 @@
 #include "lesion_errors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glisson::registration {
 
@@ -28,19 +29,27 @@ std::vector<LesionError> lesions_of(const TetMesh& mesh, const BoundLesions& bou
   return lesions;
 }
 
-void sized_as(const Eigen::VectorXd& rms, SymmetricRows& covariances) {
-  for (Eigen::Index i = 0; i < covariances.rows(); ++i)
-    if (const double trace = covariances.row(i).head<3>().sum(); trace > 0.0)
-      covariances.row(i) *= rms[i] * rms[i] / trace;
+namespace {
+
+/// By how much a covariance grows so that its mean error is this one.
+double growth(double expected, const Eigen::Matrix3d& covariance) {
+  const double now = mean_error(covariance);
+  return now > 0.0 ? std::pow(expected / now, 2) : 1.0;
 }
 
-void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::VectorXd& rms,
+}  // namespace
+
+void sized_as(const Eigen::VectorXd& expected, SymmetricRows& covariances) {
+  for (Eigen::Index i = 0; i < covariances.rows(); ++i)
+    covariances.row(i) *= growth(expected[i], symmetric_matrix(covariances.row(i)));
+}
+
+void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::VectorXd& expected,
                   std::vector<LesionError>& lesions) {
-  const Points sizes = bound.middles.apply(mesh, rms.replicate<1, 3>());
+  const Points sizes = bound.middles.apply(mesh, expected.replicate<1, 3>());
   for (std::size_t i = 0; i < lesions.size(); ++i) {
     LesionError& lesion = lesions[i];
-    const double size = sizes(static_cast<Eigen::Index>(i), 0), trace = lesion.covariance.trace();
-    if (trace > 0.0) lesion.covariance *= size * size / trace;
+    lesion.covariance *= growth(sizes(static_cast<Eigen::Index>(i), 0), lesion.covariance);
     lesion.expected = mean_error(lesion.covariance);
   }
 }

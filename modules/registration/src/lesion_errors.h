@@ -22,11 +22,11 @@ BoundLesions bound_lesions(const PatientModel& model);
 std::vector<LesionError> lesions_of(const TetMesh& mesh, const BoundLesions& bound, const ErrorModel& error,
                                     const Registration& registration);
 
-/// Each covariance with this rms length (m, one a node) instead of its own.
-void sized_as(const Eigen::VectorXd& rms, SymmetricRows& covariances);
+/// Each covariance with this expected error (m, one a node) instead of its own.
+void sized_as(const Eigen::VectorXd& expected, SymmetricRows& covariances);
 
-/// The same for lesions, at whose middles the nodes' lengths are interpolated.
-void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::VectorXd& rms,
+/// The same for lesions, at whose middles the nodes' errors are interpolated.
+void size_lesions(const TetMesh& mesh, const BoundLesions& bound, const Eigen::VectorXd& expected,
                   std::vector<LesionError>& lesions);
 
 /// Looks by the same measure as the lesions' errors; of a lesion whose error is not known there is none.

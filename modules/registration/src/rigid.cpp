@@ -330,13 +330,9 @@ std::vector<Pose> best_distinct(std::vector<Pose> poses, const Points& vertices,
 std::vector<std::string> doubts_about(const PatientModel& model, const LabelledCloud& cloud,
                                       const std::vector<Pose>& poses) {
   std::vector<std::string> doubts;
-  int margin = 0, notch = 0;
-  for (int i = 0; i < cloud.size(); ++i) {
-    margin += cloud.feature(i) == Feature::anterior_margin;
-    notch += cloud.feature(i) == Feature::umbilical_notch;
-  }
+  int margin = 0;
+  for (int i = 0; i < cloud.size(); ++i) margin += cloud.feature(i) == Feature::anterior_margin;
   if (margin < 5 || model.landmarks.anterior_margin.rows() == 0) doubts.emplace_back("few_margin_points");
-  if (notch == 0 || model.landmarks.umbilical_notch.rows() == 0) doubts.emplace_back("no_notch");
   if (poses.front().cost > 10e-3) doubts.emplace_back("rigid_residual_large");
   if (poses.size() > 1 && poses[1].cost < 1.15 * poses[0].cost + 1e-4) doubts.emplace_back("rigid_ambiguous");
   return doubts;

@@ -19,7 +19,7 @@ struct RigidStart {
 };
 /// Rigid alignment from the labelled features, robust to a partial view and a wrong start: seeded starts,
 /// trimmed label-restricted ICP, the better ones refined and judged along the camera's rays too. The camera
-/// is at the origin of the cloud's frame. Doubts: few_margin_points, no_notch, rigid_residual_large,
+/// is at the origin of the cloud's frame. Doubts: few_margin_points, rigid_residual_large,
 /// rigid_ambiguous (another pose, 20 mm away on average and more, fits nearly as well).
 /// @throws InputError fewer than 10 points, not finite, options out of range.
 Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,

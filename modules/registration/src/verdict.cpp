@@ -18,7 +18,7 @@ constexpr double kUsualNoise = 1.2e-3;
 /// Logarithm of the odds against the mirror image. Above kSureOdds is sure: the points' errors depend on each
 /// other, and poses that were 20 mm off and more still reached 5.6.
 constexpr double kSureOdds = 10.0, kEvenOdds = 0.0;
-constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes, or of a lesion
+constexpr double kMuchExpected = 6e-3;  ///< m, mean over the nodes, or of a lesion
 constexpr double kTurned = 0.15;        ///< share of the points
 constexpr double kMarginOff = 8e-3;     ///< m
 /// Probability that the organ is more than 20 mm off, or that it changed between looks. From one in a hundred
