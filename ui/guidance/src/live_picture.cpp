@@ -8,7 +8,9 @@
 
 namespace glisson::ui {
 
-LivePicture::LivePicture(QWidget* parent) : PictureView({}, parent) { setFocusPolicy(Qt::StrongFocus); }
+LivePicture::LivePicture(const QString& title, QWidget* parent) : PictureView(title, parent) {
+  setFocusPolicy(Qt::StrongFocus);
+}
 
 bool LivePicture::holds(const QPointF& widget) const {
   if (picture().empty()) return false;

@@ -29,8 +29,8 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
       again_(again),
       moments_(moments),
       timeline_(new TimelineBar(review, this)),
-      picture_(new LivePicture(this)),
-      right_(new LivePicture(this)),
+      picture_(new LivePicture({}, this)),
+      right_(new LivePicture(tr("Right"), this)),
       raw_(new PictureView(tr("Raw"), this)) {
   setObjectName(QStringLiteral("guidance_view"));
   auto* layout = new QVBoxLayout(this);

@@ -13,7 +13,8 @@ namespace glisson::ui {
 class LivePicture : public PictureView {
   Q_OBJECT
  public:
-  explicit LivePicture(QWidget* parent = nullptr);
+  /// @param title in its corner; empty: none
+  explicit LivePicture(const QString& title = {}, QWidget* parent = nullptr);
   /// From now on drags and the wheel move the organ instead of pointing at it.
   void set_placing(bool on);
   /// From now on drags take hold of a place of the organ. With Shift they always do.
