@@ -9471,6 +9471,18 @@
         <translation>in silico: Oberfläche, Mittel, mm</translation>
     </message>
     <message>
+        <source>real livers by the others: umbilical notch, mean, mm</source>
+        <translation>echte Lebern aus den anderen: Nabelkerbe, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: umbilical notch, worst liver, mm</source>
+        <translation>echte Lebern aus den anderen: Nabelkerbe, schlechteste Leber, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: umbilical notch, mean, mm</source>
+        <translation>echte Lebern mit dem eingebauten Atlas: Nabelkerbe, Mittel, mm</translation>
+    </message>
+    <message>
         <source>in silico: umbilical notch, mean, mm</source>
         <translation>in silico: Nabelkerbe, Mittel, mm</translation>
     </message>

@@ -9471,6 +9471,18 @@
         <translation>in silico : surface, moyenne, mm</translation>
     </message>
     <message>
+        <source>real livers by the others: umbilical notch, mean, mm</source>
+        <translation>foies réels par les autres : échancrure ombilicale, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: umbilical notch, worst liver, mm</source>
+        <translation>foies réels par les autres : échancrure ombilicale, pire foie, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: umbilical notch, mean, mm</source>
+        <translation>foies réels par lfoies réels d&apos;après l&apos;atlas intégré : échancrureapos;atlas intégré : échancrure ombilicale, moyenne, mm</translation>
+    </message>
+    <message>
         <source>in silico: umbilical notch, mean, mm</source>
         <translation>in silico : échancrure ombilicale, moyenne, mm</translation>
     </message>

@@ -12,6 +12,7 @@
 #include "glisson/core/stopwatch.h"
 #include "glisson/experiments/atlas_livers.h"
 #include "landmark_effect.h"
+#include "readings.h"
 
 namespace glisson::experiments {
 namespace {
@@ -68,10 +69,13 @@ std::string row(const LeftOut& liver, const char* how) {
                   1e3 * (of_area ? found->second.area_distance : found->second.mean_error));
     return std::string(number);
   };
-  std::snprintf(text, sizeof text, "%-6s %-9s %7.2f %s %s %s %s %8.2f", liver.name.c_str(), how,
+  std::snprintf(text, sizeof text, "%-6s %-9s %7.2f %s %s %s %s %s %s %s %8.2f", liver.name.c_str(), how,
                 1e3 * liver.mean_distance, shown(Structure::vena_cava, false).c_str(),
                 shown(Structure::vena_cava, true).c_str(), shown(Structure::portal_entrance, false).c_str(),
-                shown(Structure::gallbladder_bed, false).c_str(), liver.unusual);
+                shown(Structure::gallbladder_bed, false).c_str(),
+                shown(Structure::umbilical_notch, false).c_str(),
+                shown(Structure::falciform_line, false).c_str(),
+                shown(Structure::anterior_margin, false).c_str(), liver.unusual);
   return text;
 }
 
@@ -90,7 +94,8 @@ class Proof {
       return std::move(proof_);
     }
     if (!read(names, context_.part(0.35, 0.45))) return {};
-    proof_.table.emplace_back("liver  foretold  surface cava mm area mm  portal     bed  unusual");
+    proof_.table.emplace_back(
+        "liver  foretold  surface cava mm area mm  portal     bed   notch falcif.  margin  unusual");
     if (!built_in(context_.part(0.45, 0.55))) return {};
     if (!real(context_.part(0.55, 1.0))) return {};
     return std::move(proof_);
@@ -130,9 +135,16 @@ class Proof {
   }
 
   bool read(const std::vector<std::string>& names, const RunContext& context) {
+    Readings readings;
+    if (std::filesystem::exists(options_.readings))
+      readings = read_readings(options_.readings);
+    else
+      proof_.absent.emplace_back("liver_labelmaps_readings.json");
+    proof_.figures.merge(apart(readings));
     for (std::size_t i = 0; i < names.size(); ++i) {
       auto member = label_map_member(options_.data, names[i], context.quiet());
       if (!member) return false;
+      member->structures.merge(truth_of(readings[names[i]]));
       members_.push_back(std::move(*member));
       context.progress(static_cast<double>(i + 1) / static_cast<double>(names.size()), "atlas.livers");
     }

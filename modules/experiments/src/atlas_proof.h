@@ -13,8 +13,8 @@
 
 /// @file
 /// The atlas, measured: on livers of the synthetic population, whose landmarks are known by formula, and on
-/// real livers whose labels show vena cava, portal vein and gallbladder; and what its landmarks are worth to
-/// a registration (in silico).
+/// real livers whose labels show vena cava, portal vein and gallbladder, and on which two readers have marked
+/// notch, falciform line and margin; and what its landmarks are worth to a registration (in silico).
 
 namespace glisson::experiments {
 
@@ -22,8 +22,11 @@ namespace glisson::experiments {
 struct AtlasProofOptions {
   std::filesystem::path data;                    ///< with liver_labelmaps; absent: in silico only
   std::shared_ptr<const atlas::Atlas> built_in;  ///< what comes with the program
-  bool synthetic = true;                         ///< in silico too
-  int livers = 10;                               ///< of the synthetic population
+  /// What two readers marked on the label maps (readings.h); not there: notch, falciform line and margin of
+  /// the real livers are not known.
+  std::filesystem::path readings;
+  bool synthetic = true;    ///< in silico too
+  int livers = 10;          ///< of the synthetic population
   int effect_patients = 2;  ///< who are registered with landmarks of each source; 0: none
   bool validation = true;   ///< the label maps with odd numbers too
   std::uint64_t seed = 1;
@@ -36,7 +39,7 @@ struct AtlasProofOptions {
 struct AtlasProof {
   /// Keys begin with "synthetic_" (in silico), "real_" (each real liver by all others; "real_even_" for those
   /// that served development, "real_odd_" for validation), "built_in_" (real livers by the built-in atlas),
-  /// "effect_" (landmark_effect.h, in silico).
+  /// "readings_" (how far the two readers lie apart), "effect_" (landmark_effect.h, in silico).
   Figures figures;
   std::vector<std::string> absent;  ///< real data that were left out
   /// A row a source of landmarks, then a row a real liver, then what the build of these told

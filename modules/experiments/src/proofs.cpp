@@ -92,6 +92,7 @@ Cancellable<Proven> run_atlas(const ProofChoices& choices, const fs::path&, cons
   options.seed = choices.seed;
   options.data = choices.data;
   if (choices.built_in) options.built_in = choices.built_in();
+  options.readings = choices.clicks / "liver_labelmaps_readings.json";
   options.synthetic = !choices.real_only;
   options.validation = !choices.development_only;
   return proven_of(prove_atlas(options, context));
@@ -136,7 +137,9 @@ constexpr Proof kProofs[] = {
      "Ten livers of the synthetic population (in silico, landmarks by formula) and the real livers of the "
      "label maps (those of even numbers alone, with --development-only: they served development), each "
      "foretold by the others; the real ones by the built-in atlas, too. Truth of the real ones is what their "
-     "labels show: vena cava, portal vein, gallbladder. The vena cava is judged twice: by its contact (mean "
+     "labels show (vena cava, portal vein, gallbladder), and the middle between what two readers marked on "
+     "slices and renderings of these labels (notch, falciform line, margin). The vena cava is judged twice: "
+     "by its contact (mean "
      "distance between both areas, both ways) and by its course (five middle points of it), which a contact "
      "that is a little longer or shorter moves. And what landmarks are worth to a registration (in silico): "
      "the same clouds, 30 % seen, with none, with a person's, with a person's whose notch is 17.5 mm off, "
