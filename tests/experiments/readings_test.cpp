@@ -90,7 +90,7 @@ class ReadingsTest : public QObject {
     const TemporaryFolder folder;
     const fs::path path = folder.path() / "other.json";
     write_file_atomically(path, R"({"frame":"RAS"})");
-    QVERIFY_EXCEPTION_THROWN(read_readings(path), InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError, read_readings(path));
   }
 
   /// Real: two livers of development.

@@ -99,11 +99,11 @@ void FindingsTest::MeanErrorIsThatOfSamples() {
   double sum = 0.0;
   std::vector<double> student, normal;
   for (std::size_t i = 0; i < kSamples; ++i) {
-    const Eigen::Vector3d z = draw(Eigen::Matrix3d::Identity(), random);
+    const Eigen::Vector3d unit = draw(Eigen::Matrix3d::Identity(), random);
     const double tail = std::sqrt(draw(Eigen::Matrix3d::Identity(), random).squaredNorm() / 3.0);
-    sum += (root * z).norm() / tail;
-    student.push_back(z.norm() / tail);
-    normal.push_back(z.norm());
+    sum += (root * unit).norm() / tail;
+    student.push_back(unit.norm() / tail);
+    normal.push_back(unit.norm());
   }
   for (std::vector<double>* all : {&student, &normal})
     std::nth_element(all->begin(), all->begin() + k95, all->end());
