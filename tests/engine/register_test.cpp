@@ -111,7 +111,7 @@ void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
 void RegisterTest::ANotchThatIsNotMarkedIsNotedAndNoDoubt() {
   CaseState state = phantom_case();
   const auto told = [&state](const std::string& list) {
-    const Registration& made = *after(state, register_on_few())[part::registration];
+    const Registration made = *after(state, register_on_few())[part::registration];
     const std::vector<std::string>& all = list == "notes" ? made.notes : made.doubts;
     return std::count(all.begin(), all.end(), "no_notch");
   };
