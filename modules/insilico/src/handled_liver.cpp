@@ -81,9 +81,9 @@ void stiffen(Body& body, Hand& hand) {
   body.tissue.by_label[kTumour] = {kTumourModulus * kYoungModulus, kPoissonRatio};
 }
 
-/// Larger about its middle.
-void swell(Body& body, Hand& hand) {
-  const Eigen::RowVector3d middle = body.mesh.vertices.colwise().mean();
+/// Larger about the vena cava, which holds it.
+void swell(Body& body, const Points& cava, Hand& hand) {
+  const Eigen::RowVector3d middle = cava.colwise().mean();
   const double factor = std::cbrt(1.06 + 0.08 * hand.uniform());
   body.mesh.vertices = (factor * (body.mesh.vertices.rowwise() - middle)).rowwise() + middle;
 }
@@ -150,7 +150,8 @@ Cancellable<Points> handle(const fem::CompositeModel& model, const Points& rest,
   newton.fixed_nodes = loads.fixed();
   newton.tolerance = 1e-4;
   newton.max_iterations = 60;
-  Points nodes = rest;
+  Points nodes = model.mesh().vertices;
+  for (const int node : newton.fixed_nodes) nodes.row(node) = rest.row(node);
   double way = kFirstWay, reached = 0.0, growth = kGrowth, bend = 0.0;
   for (int step = 0; step < kMostSteps; ++step) {
     if (context.cancelled()) return std::nullopt;
@@ -242,7 +243,7 @@ Cancellable<HandledLiver> HandledLiver::build(const PatientModel& patient, const
   Body organ{impl->mesh, tissue()};
   Hand change(options.seed * 6007 + 5);
   if (options.handling == Handling::stiffened) stiffen(organ, change);
-  if (options.handling == Handling::swollen) swell(organ, change);
+  if (options.handling == Handling::swollen) swell(organ, impl->landmarks.vena_cava, change);
   const fem::CompositeModel body(organ.mesh, {}, organ.tissue);
   const HandledLoads loads(boundary_surface(impl->mesh), impl->landmarks, options);
   const auto handled =

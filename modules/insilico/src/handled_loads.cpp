@@ -89,7 +89,7 @@ void HandledLoads::handle(Handling handling, const Organ& organ, Hand& hand) {
       return inflate(organ);
     case Handling::swollen:
     case Handling::resected:
-      return pull(1, organ, hand);
+      return pull(2, organ, hand);
   }
 }
 

@@ -22,8 +22,8 @@ enum class Handling {
   loosened,
   inflated,   ///< gas presses all that does not lie on the bed, and carries the diaphragm up
   stiffened,  ///< its tissue differs from place to place, with a hard tumour in it; lifted by a tool
-  swollen,    ///< larger by 6 to 14 % of its volume, and pulled at one place
-  resected    ///< a piece with a part of the margin is gone, and the rest is pulled at one place
+  swollen,    ///< larger by 6 to 14 % of its volume, and pulled at two places
+  resected    ///< a piece with a part of the margin is gone, and the rest is pulled at two places
 };
 inline constexpr Handling kHandlings[] = {Handling::lifted,    Handling::pressed,  Handling::turned,
                                           Handling::pulled,    Handling::loosened, Handling::inflated,
