@@ -56,6 +56,14 @@
         <translation>von Hand gesetzt</translation>
     </message>
     <message>
+        <source>%1; drawn to where the portal vein&apos;s umbilical part shows it</source>
+        <translation>%1; dorthin gezogen, wo die Pars umbilicalis der Pfortader sie zeigt</translation>
+    </message>
+    <message>
+        <source>%1; drawn to the plane of the portal vein&apos;s umbilical part on %2 % of its course</source>
+        <translation>%1; auf %2 % des Verlaufs zur Ebene der Pars umbilicalis der Pfortader gezogen</translation>
+    </message>
+    <message>
         <source>%1; drawn to the ridge found in the CT on %2 % of its course</source>
         <translation>%1; auf %2 % des Verlaufs zur im CT gefundenen Kante gezogen</translation>
     </message>
@@ -6629,6 +6637,14 @@
     <message>
         <source>%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.</source>
         <translation>%1: Das Bild zeigt es %2 mm von dort, wo der Atlas es erwartet. Prüfen Sie die Segmentierung.</translation>
+    </message>
+    <message>
+        <source>The segmented portal vein does not show the umbilical part of its left branch: notch and falciform ligament come from statistics. Is the left branch there?</source>
+        <translation>Die segmentierte Pfortader zeigt die Pars umbilicalis ihres linken Astes nicht: Kerbe und Sichelband kommen aus der Statistik. Ist der linke Ast da?</translation>
+    </message>
+    <message>
+        <source>What looks like the portal vein&apos;s umbilical part does not lie where it should, and was not used for the notch: check that portal and hepatic veins are not swapped, and whether the round ligament lies on the right.</source>
+        <translation>Was wie die Pars umbilicalis der Pfortader aussieht, liegt nicht dort, wo sie liegen sollte, und wurde für die Kerbe nicht benutzt: Prüfen Sie, ob Pfortader und Lebervenen vertauscht sind und ob das runde Leberband rechts liegt.</translation>
     </message>
     <message>
         <source>The liver %1 differs from the others and counts less.</source>

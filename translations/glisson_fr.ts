@@ -56,6 +56,14 @@
         <translation>placé à la main</translation>
     </message>
     <message>
+        <source>%1; drawn to where the portal vein&apos;s umbilical part shows it</source>
+        <translation>%1 ; ramené là où la partie ombilicale de la veine porte la montre</translation>
+    </message>
+    <message>
+        <source>%1; drawn to the plane of the portal vein&apos;s umbilical part on %2 % of its course</source>
+        <translation>%1 ; ramené au plan de la partie ombilicale de la veine porte sur %2 % de son trajet</translation>
+    </message>
+    <message>
         <source>%1; drawn to the ridge found in the CT on %2 % of its course</source>
         <translation>%1 ; ramené à la crête trouvée sur le scanner sur %2 % de son trajet</translation>
     </message>
@@ -6629,6 +6637,14 @@
     <message>
         <source>%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.</source>
         <translation>%1 : l&apos;image le montre à %2 mm de là où l&apos;atlas l&apos;attend. Vérifiez la segmentation.</translation>
+    </message>
+    <message>
+        <source>The segmented portal vein does not show the umbilical part of its left branch: notch and falciform ligament come from statistics. Is the left branch there?</source>
+        <translation>La veine porte segmentée ne montre pas la partie ombilicale de sa branche gauche : lbranche gauche : l&apos;incisure etapos;échancrure et le ligament falciforme viennent de la statistique. La branche gauche est-elle là ?</translation>
+    </message>
+    <message>
+        <source>What looks like the portal vein&apos;s umbilical part does not lie where it should, and was not used for the notch: check that portal and hepatic veins are not swapped, and whether the round ligament lies on the right.</source>
+        <translation>Ce qui ressemble à la partie ombilicale de la veine porte n&apos;est pas là où elle devrait être et n&apos;a pas servi pour lpas servi pour l&apos;incisure :apos;échancrure : vérifiez que veine porte et veines hépatiques ne sont pas interverties, et si le ligament rond est à droite.</translation>
     </message>
     <message>
         <source>The liver %1 differs from the others and counts less.</source>

@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
+#include "fissure.h"
 #include "glisson/atlas/review.h"
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/patient/label_map.h"
 #include "mirrored.h"
 #include "statistics.h"
 
@@ -29,12 +32,6 @@ constexpr double kPerhapsElsewhere = 2.0;
 constexpr double kMostLacking = 0.75;    // share of the surface up to which it counts
 constexpr double kManyFolded = 0.02;     // share of the triangles
 constexpr double kContradiction = 30.0;  // squared Mahalanobis distance: once in a million
-
-std::string note(const char* code, double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return std::string(code) + " " + text;
-}
 
 /// The atlas on one liver.
 class Placed {
@@ -204,12 +201,32 @@ void draw_to_ridge(Proposal& margin, const Points& ridge) {
   }
 }
 
+/// What is known of this patient: by a person, else by the image, else by the ridge.
+void know(Proposal& proposal, const Evidence& evidence, const Eigen::Matrix3d& upright,
+          std::vector<std::string>& doubts) {
+  if (take_marks(proposal, evidence, upright)) return;
+  const auto raw = evidence.found.find(proposal.structure);
+  const Points seen = raw == evidence.found.end()
+                          ? Points(0, 3)
+                          : ordered_points(proposal.structure, raw->second, upright, Points(0, 3));
+  if (seen.rows() > 0)
+    show(proposal, seen, raw->second, doubts);
+  else if (proposal.structure == Structure::anterior_margin)
+    draw_to_ridge(proposal, evidence.ridge);
+}
+
 void onto_liver(Proposal& proposal, const ClosestPointTree& tree) {
   for (Eigen::Index k = 0; k < proposal.points.rows(); ++k)
     proposal.points.row(k) = tree.closest(proposal.points.row(k).transpose()).point.transpose();
 }
 
 }  // namespace
+
+std::string note(const char* code, double value, int decimals) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return std::string(code) + " " + text;
+}
 
 const char* source_code(Source source) {
   constexpr std::array kCodes = {"statistics", "image", "both", "person"};
@@ -239,6 +256,9 @@ Evidence evidence_of(const PatientModel& model) {
   Landmarks shown;
   shown.vena_cava = model.landmarks.vena_cava;
   evidence.found = member_of("model", model, shown).structures;
+  std::ranges::copy_if(model.vessels, std::back_inserter(evidence.portal_vein), [](const VesselTree& tree) {
+    return tree.structure == glisson::structure::kPortalVein;
+  });
   return evidence;
 }
 
@@ -255,21 +275,14 @@ Cancellable<Transfer> transfer(const Atlas& atlas, const TriangleMesh& liver, co
   result.doubts = prepared.doubts;
   const Placed placed(atlas, *found, *side, prepared.lacking, result);
   const ClosestPointTree tree(prepared.mesh);
-  for (const StructureStatistics& statistics : atlas.structures) {
-    Proposal proposal = placed.propose(statistics);
-    const auto raw = evidence.found.find(statistics.structure);
-    const Points seen = raw == evidence.found.end() ? Points(0, 3)
-                                                    : ordered_points(statistics.structure, raw->second,
-                                                                     placed.upright(), Points(0, 3));
-    if (!take_marks(proposal, evidence, placed.upright())) {
-      if (seen.rows() > 0)
-        show(proposal, seen, raw->second, result.doubts);
-      else if (statistics.structure == Structure::anterior_margin)
-        draw_to_ridge(proposal, evidence.ridge);
-    }
-    onto_liver(proposal, tree);
-    result.proposals.push_back(std::move(proposal));
-  }
+  for (const StructureStatistics& statistics : atlas.structures)
+    result.proposals.push_back(placed.propose(statistics));
+  const std::vector<Proposal> foretold = result.proposals;
+  for (Proposal& proposal : result.proposals) know(proposal, evidence, placed.upright(), result.doubts);
+  // In a liver that may be mirrored, or is not whole, nothing says which branch is the left one.
+  if (*side == Handedness::right)
+    draw_to_fissure(result.proposals, foretold, evidence.portal_vein, placed.upright(), result.doubts);
+  for (Proposal& proposal : result.proposals) onto_liver(proposal, tree);
   context.progress(1.0, "atlas.fit");
   return result;
 }

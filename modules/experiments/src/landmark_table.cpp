@@ -23,7 +23,9 @@ const char* source_words(const engine::LandmarkOrigin& one) {
     case atlas::Source::image:
       return "found in the CT";
     case atlas::Source::both:
-      return "from statistics, drawn to the ridge in the CT";
+      return one.structure == atlas::Structure::anterior_margin
+                 ? "from statistics, drawn to the ridge in the CT"
+                 : "from statistics, drawn to the portal vein's umbilical part in the CT";
     case atlas::Source::person:
       break;
   }

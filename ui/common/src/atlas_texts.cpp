@@ -51,15 +51,23 @@ class AtlasTexts {
     QString reason = tr("from %1 livers (%2), %3 mm")
                          .arg(QString::number(proposal.members), QString::fromStdString(proposal.origin),
                               QString::number(1e3 * proposal.deviation(), 'f', 0));
-    if (drawn > 0)
-      reason = tr("%1; drawn to the ridge found in the CT on %2 % of its course")
-                   .arg(reason, QString::number(drawn));
+    if (drawn > 0) reason = drawn_text(proposal, reason, drawn);
     if (by_hand > 0)
       reason = tr("%1; placed by hand on %2 % of its course").arg(reason, QString::number(by_hand));
     return reason;
   }
 
  private:
+  /// What the CT shows beside the statistics. @param drawn % of the points
+  static QString drawn_text(const atlas::Proposal& proposal, const QString& reason, long drawn) {
+    if (proposal.structure == atlas::Structure::umbilical_notch)
+      return tr("%1; drawn to where the portal vein's umbilical part shows it").arg(reason);
+    const QString text =
+        proposal.structure == atlas::Structure::falciform_line
+            ? tr("%1; drawn to the plane of the portal vein's umbilical part on %2 % of its course")
+            : tr("%1; drawn to the ridge found in the CT on %2 % of its course");
+    return text.arg(reason, QString::number(drawn));
+  }
   static long share(const atlas::Proposal& proposal, atlas::Source source) {
     const auto count = std::count(proposal.sources.begin(), proposal.sources.end(), source);
     return 100L * static_cast<long>(count) / std::max(1L, static_cast<long>(proposal.sources.size()));

@@ -172,6 +172,13 @@ class Notes {
         {"atlas.several_pieces", tr("The liver's surface has %1 pieces; the largest was taken.")},
         {"atlas.contradiction",
          tr("%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.")},
+        {"atlas.no_umbilical_part",
+         tr("The segmented portal vein does not show the umbilical part of its left branch: notch and "
+            "falciform ligament come from statistics. Is the left branch there?")},
+        {"atlas.umbilical_part_elsewhere",
+         tr("What looks like the portal vein's umbilical part does not lie where it should, and was not used "
+            "for the notch: check that portal and hepatic veins are not swapped, and whether the round "
+            "ligament lies on the right.")},
         {"atlas.not_approved", tr("The case %1 was left out: nobody has approved its liver, vena cava, "
                                   "gallbladder or portal vein.")},
         {"atlas.outlier", tr("The liver %1 differs from the others and counts less.")},

@@ -60,8 +60,9 @@ struct Evidence {
   PointsIn<CtFrame> ridge;  ///< the known part of the anterior margin, ordered; may be empty
   /// What a person has placed: it beats what was found. Of a contact fewer than three points say nothing.
   std::map<Structure, PointsIn<CtFrame>> placed = {};
+  std::vector<VesselTree> portal_vein = {};  ///< its trees; none: nothing is known of its branches
 };
-/// Of a model: contacts and the portal vein's entrance, and the detected ridge.
+/// Of a model: contacts, the portal vein's entrance and its trees, and the detected ridge.
 Evidence evidence_of(const PatientModel& model);
 
 /// Puts the atlas on a patient's liver (README: "Transfer"). Empty: cancelled.
