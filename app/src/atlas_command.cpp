@@ -140,9 +140,12 @@ void transfer_atlas(const Arguments& arguments, Session& session) {
   session.post(engine::ProposeLandmarks{used});
   for (const atlas::Structure structure : accept)
     session.post(engine::ReviewProposal{structure, atlas::Decision::accepted});
-  for (const atlas::Proposal& one : session.state()[part::proposals]->proposals)
+  for (const atlas::Proposal& one : session.state()[part::proposals]->proposals) {
     say(QStringLiteral("%1: %2, %3")
             .arg(ui::landmark_text(one.structure), ui::reason_text(one), ui::decision_text(one.decision)));
+    session.texts[std::string("atlas_") + atlas::structure_code(one.structure) + "_source"] =
+        atlas::source_code(one.source());
+  }
   save_case(arguments, session);
 }
 

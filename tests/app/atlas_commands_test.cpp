@@ -40,6 +40,7 @@ class AtlasCommandsTest : public QObject, private test::Program {
                          "--json", "f.json"});
     QVERIFY2(ran.code == 0, qPrintable(ran.error));
     QVERIFY(figures("f.json")["atlas_fit_mean_mm"].toDouble() < 1.5);
+    QCOMPARE(figures("f.json")["atlas_umbilical_notch_source"].toString(), QStringLiteral("statistics"));
     QVERIFY(std::filesystem::exists(at("a.glisson/atlas.json")));
     const std::string landmarks = read_file(at("a.glisson/landmarks.json"));
     QVERIFY(landmarks.find("vena_cava") != std::string::npos);

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../support/portal_trees.h"
 #include "glisson/atlas/transfer.h"
 #include "glisson/insilico/patient.h"
 #include "known_livers.h"
-#include "portal_trees.h"
 
 using namespace glisson;
 using namespace glisson::atlas;

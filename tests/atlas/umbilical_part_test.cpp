@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "portal_trees.h"
+#include "../support/portal_trees.h"
 
 using namespace glisson;
 using namespace glisson::atlas;
@@ -97,16 +97,18 @@ class UmbilicalPartTest : public QObject {
     QVERIFY((turn * part->tip.xyz + shift.transpose() - moved->tip.xyz).norm() < 1e-9);
   }
 
-  /// A few degrees, as patients lie, must not make another place of it.
+  /// A few degrees, as patients lie, make no other place of it, and none where there is none.
   void aLittleTurnHardlyCounts() {
-    const VesselTree tree = test::portal_vein(LeftBranch::whole);
     for (int axis = 0; axis < 3; ++axis)
       for (const double degrees : {-15.0, 15.0}) {
         const Eigen::Matrix3d turn(
             Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, Eigen::Vector3d::Unit(axis)));
-        const auto part = umbilical_part({tree}, turn);
+        const auto part = umbilical_part({test::portal_vein(LeftBranch::whole)}, turn);
         QVERIFY(part);
         QVERIFY(part->tip.xyz.norm() < 0.012);
+        QVERIFY(!umbilical_part({test::portal_vein(LeftBranch::none)}, turn));
+        QVERIFY2(!umbilical_part({test::portal_vein(LeftBranch::transverse)}, turn),
+                 qPrintable(QStringLiteral("%1 %2").arg(axis).arg(degrees)));
       }
   }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "../support/portal_trees.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
@@ -121,6 +122,38 @@ class ProposalsTest : public QObject {
     const atlas::Proposal* notch = proposal_of(applied->state, Structure::umbilical_notch);
     QVERIFY(notch->source() == Source::person && notch->decision == Decision::moved);
     QVERIFY(notch->deviation() < proposal_of(state_, Structure::umbilical_notch)->deviation());
+  }
+
+  /// The model's portal vein is evidence, is kept as that, and the notch counts as no guess of statistics
+  /// alone.
+  void aPortalVeinIsEvidence() {
+    CaseState now = patient(*atlas_);
+    auto built = std::make_shared<model::BuiltModel>(*now[part::model]);
+    VesselTree portal = test::portal_vein(test::LeftBranch::whole);
+    const Points notch = proposal_of(state_, Structure::umbilical_notch)->points;
+    portal.nodes.rowwise() += notch.row(0) + Eigen::RowVector3d(0.007, 0.028, 0.022);
+    built->model.vessels = {portal};
+    now[part::model] = built;
+    const auto made = ProposeLandmarks{atlas_}.apply(now, RunContext());
+    const atlas::Proposal* drawn = proposal_of(made->state, Structure::umbilical_notch);
+    QVERIFY(drawn->source() == Source::both);
+    QVERIFY(made->figures.at("atlas_umbilical_notch_deviation_mm") <
+            0.7 * figures_.at("atlas_umbilical_notch_deviation_mm"));
+    QVERIFY(made->notes.empty());
+    const auto accepted =
+        ReviewProposal{Structure::umbilical_notch, Decision::accepted}.apply(made->state, RunContext());
+    QVERIFY(!landmark_review(accepted->state).from_statistics);
+    const TemporaryFolder folder;
+    QVERIFY(save_case(folder.path() / "a.glisson", accepted->state, RunContext()));
+    const auto opened = open_case(folder.path() / "a.glisson", RunContext());
+    QVERIFY(opened && proposal_of(*opened, Structure::umbilical_notch)->source() == Source::both);
+    // One without its left branch is told.
+    built = std::make_shared<model::BuiltModel>(*built);
+    built->model.vessels = {test::portal_vein(test::LeftBranch::none)};
+    now[part::model] = built;
+    const auto told = ProposeLandmarks{atlas_}.apply(now, RunContext());
+    QCOMPARE(told->notes, std::vector<std::string>{"atlas.no_umbilical_part"});
+    QVERIFY(proposal_of(told->state, Structure::umbilical_notch)->source() == Source::statistics);
   }
 
   /// Where nothing but statistics says where it runs it stays out, and that is said.

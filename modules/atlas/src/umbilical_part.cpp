@@ -14,6 +14,10 @@ constexpr double kForward = 0.5;  // of a way's length is gained forwards: withi
 constexpr double kLeft = 0.012;   // metres to the left before it: a little over the branch's own diameter
 constexpr double kRise = 0.01;    // metres upwards before it: the branch climbs out of the hilum
 constexpr double kThick = 0.5;    // of the thickest radius: three forks into equals leave it (Murray's law)
+/// Metres forwards from the top of its arch, to which the branch climbs: what ends before is a transverse
+/// part cut short (10 mm and more on twelve real livers; of the same, cut short, 7 and less).
+constexpr double kBeyondTop = 0.0085;
+constexpr double kTop = 0.002;  // metres below the highest node, that still are the top
 /// Metres: where a vein about as thick lies farther to the left than that, the stretch is a branch of the
 /// right lobe, seen from which trunk and left branch are there (at most 15 mm on twelve real livers).
 constexpr double kBeside = 0.025;
@@ -68,6 +72,23 @@ class Way {
     run.left = at_(run.base, 0) - right;
     run.rise = top - low;
     return run;
+  }
+
+  /// How far forwards a node lies from where the vein first reached its top on the way there, metres.
+  double beyond_top(int end) const {
+    double top = at_(end, 2), start = at_(end, 1), length = 0.0;
+    const auto each = [&](const auto& look) {
+      length = 0.0;
+      for (int node = end; from(node) >= 0 && length < kRun + kBefore; node = from(node)) {
+        length += beam_to(node);
+        look(from(node));
+      }
+    };
+    each([&](int node) { top = std::max(top, at_(node, 2)); });
+    each([&](int node) {
+      if (at_(node, 2) >= top - kTop) start = at_(node, 1);
+    });
+    return start - at_(end, 1);
   }
 
   /// Where what runs forwards ends: the node beyond this one, over vein that is thick enough, up to which
@@ -146,9 +167,9 @@ std::optional<UmbilicalPart> umbilical_part(const std::vector<VesselTree>& trees
       const Way::Stretch run = way.stretch_before(node);
       if (!looks_umbilical(way, run, node)) continue;
       const double flow = run.radius * run.radius * run.forward;  // the cross-section that faces forwards
-      if (flow <= most) continue;
-      most = flow;
       const int tip = way.end_beyond(node, kTapered * run.radius);
+      if (flow <= most || way.beyond_top(tip) < kBeyondTop) continue;
+      most = flow;
       found = UmbilicalPart{Point<CtFrame>(tree.nodes.row(run.base).transpose()),
                             Point<CtFrame>(tree.nodes.row(tip).transpose()), run.radius};
     }
