@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The umbilical part of the portal vein's left branch is found by how the vein runs, and not where it is not.
-#include "glisson/atlas/umbilical_part.h"
+#include "umbilical_part.h"
 
 #include <QTest>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "glisson/atlas/umbilical_part.h"
+#include "umbilical_part.h"
 
 namespace glisson::atlas {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/atlas/umbilical_part.h"
+#include "umbilical_part.h"
 
 #include <algorithm>
 #include <cmath>
