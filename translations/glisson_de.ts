@@ -9495,8 +9495,8 @@
         <translation>echte Lebern aus den anderen: Nabelkerbe, schlechteste Leber, mm</translation>
     </message>
     <message>
-        <source>real livers by the built-in atlas: umbilical notch, mean, mm</source>
-        <translation>echte Lebern mit dem eingebauten Atlas: Nabelkerbe, Mittel, mm</translation>
+        <source>real livers by the built-in atlas and the portal vein: umbilical notch, mean, mm</source>
+        <translation>echte Lebern mit dem eingebauten Atlas und der Pfortader: Nabelkerbe, Mittel, mm</translation>
     </message>
     <message>
         <source>in silico: umbilical notch, mean, mm</source>

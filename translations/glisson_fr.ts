@@ -9495,8 +9495,8 @@
         <translation>foies réels par les autres : échancrure ombilicale, pire foie, mm</translation>
     </message>
     <message>
-        <source>real livers by the built-in atlas: umbilical notch, mean, mm</source>
-        <translation>foies réels par lfoies réels d&apos;après l&apos;atlas intégré : échancrureapos;atlas intégré : échancrure ombilicale, moyenne, mm</translation>
+        <source>real livers by the built-in atlas and the portal vein: umbilical notch, mean, mm</source>
+        <translation>foies réels par l&apos;atlas intégré et la veine porte : échancrure ombilicale, moyenne, mm</translation>
     </message>
     <message>
         <source>in silico: umbilical notch, mean, mm</source>

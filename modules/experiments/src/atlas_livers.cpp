@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glisson/atlas/transfer.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/insilico/liver_population.h"
@@ -70,8 +71,8 @@ std::vector<std::string> label_map_names(const fs::path& data) {
 
 bool is_for_development(const std::string& label_map) { return (label_map.back() - '0') % 2 == 0; }
 
-Cancellable<atlas::Member> label_map_member(const fs::path& data, const std::string& name,
-                                            const RunContext& context) {
+Cancellable<LabelMapLiver> label_map_liver(const fs::path& data, const std::string& name,
+                                           const RunContext& context) {
   const LabelFile file = read_labels(data / "liver_labelmaps" / (name + ".nii.gz"));
   VolumeGrid grid = file.voxels.grid();
   grid.direction = Eigen::Vector3d(1, -1, 1).asDiagonal();
@@ -81,11 +82,18 @@ Cancellable<atlas::Member> label_map_member(const fs::path& data, const std::str
                             {10, structure::kPortalVein}};
   const LabelMap labels = recode({LabelVolume(grid, file.voxels.dense()), file.infos}, codes, name);
   model::ModelOptions options;
-  options.vessels = false;
-  options.mesh.target_vertices = 150;  // only the fine surfaces are wanted
+  options.mesh.target_vertices = 150;  // only the fine surfaces and the trees are wanted
   const auto built = model::build_from_labels(labels, options, context);
   if (!built) return {};
-  return atlas::member_of(name, built->model, {});
+  return LabelMapLiver{atlas::member_of(name, built->model, {}),
+                       atlas::evidence_of(built->model).portal_vein};
+}
+
+Cancellable<atlas::Member> label_map_member(const fs::path& data, const std::string& name,
+                                            const RunContext& context) {
+  auto liver = label_map_liver(data, name, context);
+  if (!liver) return {};
+  return std::move(liver->member);
 }
 
 }  // namespace glisson::experiments

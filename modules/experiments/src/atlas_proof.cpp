@@ -142,10 +142,11 @@ class Proof {
       proof_.absent.emplace_back("liver_labelmaps_readings.json");
     proof_.figures.merge(apart(readings));
     for (std::size_t i = 0; i < names.size(); ++i) {
-      auto member = label_map_member(options_.data, names[i], context.quiet());
-      if (!member) return false;
-      member->structures.merge(truth_of(readings[names[i]]));
-      members_.push_back(std::move(*member));
+      auto liver = label_map_liver(options_.data, names[i], context.quiet());
+      if (!liver) return false;
+      liver->member.structures.merge(truth_of(readings[names[i]]));
+      members_.push_back(std::move(liver->member));
+      portal_veins_.push_back(std::move(liver->portal_vein));
       context.progress(static_cast<double>(i + 1) / static_cast<double>(names.size()), "atlas.livers");
     }
     return true;
@@ -172,7 +173,7 @@ class Proof {
 
   /// What is refused here, though it is a liver, stays out of what follows.
   bool built_in(const RunContext& context) {
-    std::vector<LeftOut> even, odd;
+    std::vector<LeftOut> even, odd, with_veins;
     std::vector<Member> taken;
     double slowest = 0.0, refused = 0.0, said = 0.0;
     for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -187,6 +188,11 @@ class Proof {
         proof_.table.push_back(row(*liver, "built-in"));
         (is_for_development(members_[i].name) ? even : odd).push_back(std::move(*liver));
         taken.push_back(members_[i]);
+        auto with_vein =
+            foretold(*options_.built_in, members_[i], context, {.portal_vein = portal_veins_[i]});
+        if (!with_vein) return false;
+        proof_.table.push_back(row(*with_vein, "and vein"));
+        with_veins.push_back(std::move(*with_vein));
       } catch (const InputError&) {
         proof_.table.push_back(members_[i].name + "   refused as mirrored, wrongly");
       }
@@ -201,6 +207,11 @@ class Proof {
     add(proof_.figures, "built_in_odd_", odd);
     even.insert(even.end(), odd.begin(), odd.end());
     add(proof_.figures, "built_in_", even);
+    add(proof_.figures, "with_vein_", with_veins);
+    odd.clear();
+    std::ranges::copy_if(with_veins, std::back_inserter(odd),
+                         [](const LeftOut& liver) { return !is_for_development(liver.name); });
+    add(proof_.figures, "with_vein_odd_", odd);
     members_ = std::move(taken);
     return true;
   }
@@ -227,6 +238,7 @@ class Proof {
   const RunContext& context_;
   AtlasProof proof_;
   std::vector<Member> members_;
+  std::vector<std::vector<VesselTree>> portal_veins_;  ///< of those that were read
   double seconds_ = 0.0;
 };
 

@@ -3,14 +3,14 @@
 
 #include <Eigen/LU>
 
-#include "glisson/atlas/transfer.h"
 #include "glisson/geometry/distance.h"
 
 namespace glisson::experiments {
 using namespace atlas;
 
-Cancellable<LeftOut> foretold(const Atlas& known, const Member& member, const RunContext& context) {
-  const auto made = transfer(known, member.liver, {}, context.quiet());
+Cancellable<LeftOut> foretold(const Atlas& known, const Member& member, const RunContext& context,
+                              const Evidence& evidence) {
+  const auto made = transfer(known, member.liver, evidence, context.quiet());
   if (!made) return {};
   LeftOut liver;
   liver.name = member.name;

@@ -24,8 +24,16 @@ TriangleMesh synthetic_template();
 std::vector<std::string> label_map_names(const std::filesystem::path& data);
 /// Those of even numbers served development; the others are for validation.
 bool is_for_development(const std::string& label_map);
-/// One of them with its header's orientation mended (their README): vena cava's and gallbladder's contact and
-/// the portal vein's entrance as the labels show them. Empty: cancelled. @throws FileError, InputError.
+/// What a label map shows.
+struct LabelMapLiver {
+  atlas::Member member;  ///< with vena cava's and gallbladder's contact and the portal vein's entrance
+  std::vector<VesselTree> portal_vein;  ///< CT frame, metres
+};
+/// One of them with its header's orientation mended (their README). Empty: cancelled. @throws FileError,
+/// InputError.
+Cancellable<LabelMapLiver> label_map_liver(const std::filesystem::path& data, const std::string& name,
+                                           const RunContext& context);
+/// The member alone.
 Cancellable<atlas::Member> label_map_member(const std::filesystem::path& data, const std::string& name,
                                             const RunContext& context);
 
