@@ -9375,6 +9375,22 @@
         <translation>Mit der synthetischen Vorlage statt mit einem Atlas beginnen.</translation>
     </message>
     <message>
+        <source>Keep the atlas&apos; mean liver and its modes, and learn from the cases where structures lie on it.</source>
+        <translation>Die mittlere Leber des Atlas und ihre Moden behalten und aus den Fällen lernen, wo Strukturen auf ihr liegen.</translation>
+    </message>
+    <message>
+        <source>Keep of the cases means and mean squares alone: no names, no single liver.</source>
+        <translation>Von den Fällen nur Mittel und mittlere Quadrate behalten: keine Namen, keine einzelne Leber.</translation>
+    </message>
+    <message>
+        <source>Add the label maps of --data that served development, as this file says where notch, falciform ligament and margin lie on them.</source>
+        <translation>Die Labelkarten aus --data hinzunehmen, die der Entwicklung dienten; diese Datei sagt, wo Kerbe, Ligamentum falciforme und Rand auf ihnen liegen.</translation>
+    </message>
+    <message>
+        <source>Folder of the real data.</source>
+        <translation>Ordner der echten Daten.</translation>
+    </message>
+    <message>
         <source>%1: is no action. See &apos;glisson atlas --help&apos;.</source>
         <translation>%1: ist keine Aktion. Siehe „glisson atlas --help“.</translation>
     </message>

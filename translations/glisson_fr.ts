@@ -9375,6 +9375,22 @@
         <translation>Commencer par le gabarit synthétique au lieu d&apos;un atlas.</translation>
     </message>
     <message>
+        <source>Keep the atlas&apos; mean liver and its modes, and learn from the cases where structures lie on it.</source>
+        <translation>Garder le foie moyen de l&apos;atlas et ses modes, et apprendre des cas où les structures s&apos;y trouvent.</translation>
+    </message>
+    <message>
+        <source>Keep of the cases means and mean squares alone: no names, no single liver.</source>
+        <translation>Ne garder des cas que les moyennes et les carrés moyens : ni noms, ni foie isolé.</translation>
+    </message>
+    <message>
+        <source>Add the label maps of --data that served development, as this file says where notch, falciform ligament and margin lie on them.</source>
+        <translation>Ajouter les cartes d&apos;étiquettes de --data qui ont servi au développement ; ce fichier dit où s&apos;y trouvent l&apos;échancrure, le ligament falciforme et le bord.</translation>
+    </message>
+    <message>
+        <source>Folder of the real data.</source>
+        <translation>Dossier des données réelles.</translation>
+    </message>
+    <message>
         <source>%1: is no action. See &apos;glisson atlas --help&apos;.</source>
         <translation>%1 : n&apos;est pas une action. Voir « glisson atlas --help ».</translation>
     </message>

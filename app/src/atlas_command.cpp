@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas: built from cases, measured, shown, and transferred to a case.
 #include <algorithm>
+#include <iterator>
 
 #include "case_argument.h"
 #include "cli.h"
@@ -54,11 +55,19 @@ void build_of(const Arguments& arguments, Session& session, const fs::path& out)
   build.options.name = arguments.value("name").toStdString();
   build.options.added_deviation = 1e-3 * arguments.number("added-deviation", 0.0, 50.0);
   build.options.added_unusual = arguments.number("added-unusual", 1.0, 99.0);
+  build.options.keep_shape = arguments.has("keep-shape");
+  build.options.summed = arguments.has("summed");
   build.unapproved = arguments.has("unapproved");
   build.out = out;
   const int synthetic = arguments.integer("synthetic", 0, 1000);
   for (int i = 0; i < synthetic; ++i)
     build.members.push_back(experiments::synthetic_member(arguments.seed() + static_cast<std::uint64_t>(i)));
+  if (arguments.has("readings")) {
+    auto read =
+        experiments::read_livers(arguments.path("data"), arguments.path("readings"), session.context());
+    if (!read) throw Interrupted();
+    std::move(read->begin(), read->end(), std::back_inserter(build.members));
+  }
   const engine::Outcome outcome = session.post(std::move(build));
   say_left_out(*outcome.result.as<atlas::BuildResult>());
 }
@@ -109,7 +118,7 @@ void show_atlas(const Arguments& arguments, Session& session) {
     const double deviation = atlas::deviation(one);
     say(Cli::tr("%1: from %2 livers (%3), %4 mm")
             .arg(ui::landmark_text(one.structure))
-            .arg(one.members.size())
+            .arg(one.livers())
             .arg(QString::fromStdString(one.origin), mm(deviation)));
     session.figures[std::string("atlas_") + atlas::structure_code(one.structure) + "_deviation_mm"] =
         1e3 * deviation;
@@ -172,11 +181,16 @@ void refuse_idle_options(const Arguments& arguments, const Action& action) {
          << "added-deviation"
          << "added-unusual"
          << "unapproved"
-         << "fresh";
+         << "fresh"
+         << "keep-shape"
+         << "summed"
+         << "readings"
+         << "data";
     (void)arguments.positionals(1, 1);
   }
   arguments.refuse_idle(QStringLiteral("glisson atlas ") + QLatin1String(action.name), idle);
-  if (arguments.has("fresh")) arguments.refuse_idle(QStringLiteral("--fresh"), {"atlas"});
+  if (arguments.has("fresh")) arguments.refuse_idle(QStringLiteral("--fresh"), {"atlas", "keep-shape"});
+  arguments.refuse_without(QStringLiteral("readings"), {"data"});
   if (arguments.has("case") && std::string_view(action.name) == "show")
     arguments.refuse_idle(QStringLiteral("--case"), {"atlas"});
 }
@@ -212,6 +226,16 @@ int run_atlas(const QStringList& given) {
       "X", 1.0);
   arguments.flag("unapproved", Cli::tr("Take cases whose labels nobody has approved, too."));
   arguments.flag("fresh", Cli::tr("Begin with the synthetic template instead of an atlas."));
+  arguments.flag("keep-shape",
+                 Cli::tr("Keep the atlas' mean liver and its modes, and learn from the cases where "
+                         "structures lie on it."));
+  arguments.flag("summed",
+                 Cli::tr("Keep of the cases means and mean squares alone: no names, no single liver."));
+  arguments.option("readings",
+                   Cli::tr("Add the label maps of --data that served development, as this file says "
+                           "where notch, falciform ligament and margin lie on them."),
+                   "FILE");
+  arguments.option("data", Cli::tr("Folder of the real data."), "DIR", "../shared/data");
   if (!arguments.parse(given)) return 0;
   const QString name = arguments.positionals(1, 10000).front();
   const auto action = std::find_if(actions().begin(), actions().end(),

@@ -213,6 +213,48 @@ class BuildTest : public QObject {
       QVERIFY((member.weight < 1.0) == (member.name == "odd one"));
   }
 
+  /// The livers' marks lie elsewhere on them than the base's own members' did.
+  void aKeptShapeStaysAndItsPlacesAreLearnt() {
+    std::vector<Member> members = members_;
+    for (Member& member : members) {
+      const Points line = member.structures.at(Structure::anterior_margin);
+      member.structures = {{Structure::umbilical_notch, line.row(line.rows() / 5)}};
+    }
+    BuildOptions options;
+    options.name = "read";
+    options.keep_shape = options.summed = true;
+    const Atlas base = test::built_in();
+    const auto made = build(members, base, options, RunContext());
+    QVERIFY(made);
+    const Atlas& atlas = made->atlas;
+    QVERIFY(atlas.shape.mean == base.shape.mean && atlas.shape.modes == base.shape.modes);
+    QCOMPARE(atlas.name, base.name + ", read");
+    QCOMPARE(atlas.members.size(), base.members.size());
+    QCOMPARE(atlas.structures.size(), base.structures.size());
+    const StructureStatistics& notch = *atlas.find(Structure::umbilical_notch);
+    QVERIFY(notch.origin == "read" && notch.members.empty() && notch.livers() == kMembers);
+    QVERIFY(mean_apart(notch.mean, base.find(Structure::umbilical_notch)->mean) > 0.03);
+    QCOMPARE(atlas.find(Structure::vena_cava)->mean, base.find(Structure::vena_cava)->mean);
+    for (const LeftOut& left : made->left_out) {
+      QCOMPARE(left.structures.size(), std::size_t{1});
+      QVERIFY(left.structures.at(Structure::umbilical_notch).mean_error < 0.02);
+    }
+    // A liver that was not there, and the atlas read again.
+    const TemporaryFolder folder;
+    write_atlas(folder.path(), atlas);
+    const Member other = test::synthetic_member(720);
+    const Points line = other.structures.at(Structure::anterior_margin);
+    const auto met = transfer(read_atlas(folder.path()), other.liver, {}, RunContext());
+    for (const Proposal& one : met->proposals)
+      if (one.structure == Structure::umbilical_notch) {
+        QVERIFY(mean_apart(one.points, line.row(line.rows() / 5)) < 0.025);
+        QCOMPARE(one.members, kMembers);
+      }
+    replace(folder.path() / "atlas.json", "\"summed_livers\": 5", "\"summed_livers\": 2");
+    QVERIFY(complaint_of(folder.path()).find("summed_livers") != std::string::npos);
+    QVERIFY_THROWS_EXCEPTION(InputError, build(members, bare_atlas(base.mean()), options, RunContext()));
+  }
+
   void whatTheImageShowsWins() {
     const Member other = test::synthetic_member(911);
     Evidence evidence;

@@ -7,6 +7,7 @@
 #include "glisson/atlas/atlas.h"
 #include "glisson/core/random.h"
 #include "glisson/core/run_context.h"
+#include "statistics.h"
 
 using namespace glisson;
 using namespace glisson::atlas;
@@ -65,6 +66,27 @@ class StatisticsTest : public QObject {
     };
     QVERIFY((added(2.0) - 1e-4 * Eigen::Matrix3d::Identity()).norm() < 1e-15);
     QVERIFY((added(5.0) - 4e-4 * Eigen::Matrix3d::Identity()).norm() < 1e-15);
+    // Where nothing is added the members are those livers.
+    statistics.added_deviation = 0.0;
+    QVERIFY((covariance(statistics, 0, -1, 2.4) - members).norm() < 1e-15);
+    QVERIFY((covariance(statistics, 0, -1, 5.0) - 4.0 * members).norm() < 1e-15);
+  }
+  void whatIsSummedUpHoldsAsMuchAndNamesNobody() {
+    auto random = RunContext().random("test.summed");
+    StructureStatistics statistics;
+    statistics.mean = Points::Zero(2, 3);
+    for (int i = 0; i < 7; ++i) {
+      Points residual(2, 3);
+      for (Eigen::Index k = 0; k < residual.size(); ++k) residual.data()[k] = 0.01 * standard_normal(random);
+      statistics.residuals.push_back(residual);
+      statistics.members.push_back("liver " + std::to_string(i));
+    }
+    const Eigen::Matrix3d first = covariance(statistics, 0), second = covariance(statistics, 1);
+    sum_up(statistics);
+    QVERIFY(statistics.members.empty() && statistics.residuals.empty());
+    QCOMPARE(statistics.livers(), 7);
+    QVERIFY((covariance(statistics, 0) - first).norm() < 1e-15);
+    QVERIFY((covariance(statistics, 1) - second).norm() < 1e-15);
   }
 };
 

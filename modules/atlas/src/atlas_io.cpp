@@ -13,6 +13,7 @@
 #include "glisson/core/json_file.h"
 #include "glisson/core/word_sum.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/patient/registration.h"
 
 namespace glisson::atlas {
 namespace {
@@ -117,14 +118,34 @@ class Sheet {
 json sheet_of(const StructureStatistics& one) {
   json residuals = json::array();
   for (const Points& residual : one.residuals) residuals.push_back(rows(residual, kMm));
-  return {{"structure", structure_code(one.structure)},
-          {"origin", one.origin},
-          {"members", one.members},
-          {"mean_mm", rows(one.mean, kMm)},
-          {"slopes_mm", rows(one.slopes, kMm)},
-          {"residuals_mm", residuals},
-          {"added_deviation_mm", kMm * one.added_deviation},
-          {"added_unusual", one.added_unusual}};
+  json sheet = {{"structure", structure_code(one.structure)},
+                {"origin", one.origin},
+                {"members", one.members},
+                {"mean_mm", rows(one.mean, kMm)},
+                {"slopes_mm", rows(one.slopes, kMm)},
+                {"residuals_mm", residuals},
+                {"added_deviation_mm", kMm * one.added_deviation},
+                {"added_unusual", one.added_unusual}};
+  if (one.summed_livers == 0) return sheet;
+  json squares = json::array();
+  for (const Eigen::Matrix3d& square : one.summed)
+    squares.push_back(rows(symmetric_row(square), kMm * kMm)[0]);
+  sheet["summed_livers"] = one.summed_livers;
+  sheet["summed_mm2"] = squares;
+  return sheet;
+}
+
+/// What is kept of livers whose residuals are not. @pre there is such
+void take_summed(const Sheet& sheet, Eigen::Index count, StructureStatistics& one) {
+  const double livers = sheet.number("summed_livers");
+  if (!(livers >= 3.0 && livers < 1e6)) sheet.fail("summed_livers", "are fewer than 3");
+  one.summed_livers = static_cast<int>(livers);
+  const Eigen::MatrixXd squares = sheet.matrix(sheet.field("summed_mm2"), "summed_mm2", count, 6, kMm * kMm);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    one.summed.push_back(symmetric_matrix(squares.row(k)));
+    if (!(one.summed.back().diagonal().minCoeff() > 0.0))
+      sheet.fail("summed_mm2", "holds no squares in its first three columns");
+  }
 }
 
 StructureStatistics statistics_of(const Sheet& sheet) {
@@ -138,8 +159,11 @@ StructureStatistics statistics_of(const Sheet& sheet) {
   one.mean = sheet.matrix(sheet.field("mean_mm"), "mean_mm", count, 3, kMm);
   one.slopes = sheet.matrix(sheet.field("slopes_mm"), "slopes_mm", 3 * count, -1, kMm);
   const json& residuals = sheet.field("residuals_mm");
-  if (!residuals.is_array() || residuals.size() != one.members.size() || residuals.size() < 3)
+  const bool is_summed = sheet.has("summed_livers");
+  const std::size_t least = is_summed ? 0 : 3;
+  if (!residuals.is_array() || residuals.size() != one.members.size() || residuals.size() < least)
     sheet.fail("residuals_mm", "needs one entry a member, three at least");
+  if (is_summed) take_summed(sheet, count, one);
   for (const json& residual : residuals)
     one.residuals.emplace_back(sheet.matrix(residual, "residuals_mm", count, 3, kMm));
   one.added_deviation = sheet.number("added_deviation_mm") / kMm;

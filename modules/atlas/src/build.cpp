@@ -47,7 +47,7 @@ class Builder {
  public:
   Builder(std::vector<Member> members, const Atlas& base, const BuildOptions& options,
           const RunContext& context)
-      : base_(base), options_(options), context_(context) {
+      : base_(base), options_(options), context_(context), added_unusual_(options.added_unusual) {
     std::sort(members.begin(), members.end(),
               [](const Member& a, const Member& b) { return a.name < b.name; });
     for (Member& member : members) works_.emplace_back().member = std::move(member);
@@ -55,17 +55,24 @@ class Builder {
 
   Cancellable<BuildResult> run() {
     check();
-    if (!correspond_all()) return {};
-    weigh();
-    if (!leave_out_each()) return {};
-    finish_shape();
+    if (options_.keep_shape ? !lay_on_base() : !make_shape()) return {};
     find_places();
     for (const Structure structure : kStructures) add(structure);
     judge();
+    for (StructureStatistics& one : result_.atlas.structures)
+      if (options_.summed && result_.spreads.contains(one.structure)) sum_up(one);
     return std::move(result_);
   }
 
  private:
+  bool make_shape() {
+    if (!correspond_all()) return false;
+    weigh();
+    if (!leave_out_each()) return false;
+    finish_shape();
+    return true;
+  }
+
   std::size_t count() const { return works_.size(); }
   void check() {
     if (count() < kLeastMembers)
@@ -152,21 +159,43 @@ class Builder {
 
   bool leave_out_each() {
     return each(0.45, 0.95, "atlas.leave_one_out", [&](std::size_t i) {
-      Work& work = works_[i];
-      const ShapeModel others = model_of(static_cast<int>(i), true, options_.share);
-      auto found = correspond(others, base_.triangles, work.liver, context_.quiet());
-      if (!found) return false;
-      work.honest = std::move(*found);
-      const auto side = handedness(others, base_.triangles, work.liver, work.honest, context_.quiet());
-      if (!side) return false;
-      if (*side == Handedness::mirrored) refuse_mirrored(work.member.name);
-      const Similarity back = fit_similarity(work.honest.vertices, others.mean);
-      const Points shape = back.apply(work.honest.vertices);
-      work.unusual = unusual(others, shape);
-      work.generality =
-          (shape - others.instance(others.coefficients(shape))).rowwise().norm().mean() / back.scale;
-      return true;
+      return lay_on(model_of(static_cast<int>(i), true, options_.share), works_[i]);
     });
+  }
+
+  /// A member as a patient is met, by livers without it. False: cancelled.
+  bool lay_on(const ShapeModel& others, Work& work) {
+    auto found = correspond(others, base_.triangles, work.liver, context_.quiet());
+    if (!found) return false;
+    work.honest = std::move(*found);
+    const auto side = handedness(others, base_.triangles, work.liver, work.honest, context_.quiet());
+    if (!side) return false;
+    if (*side == Handedness::mirrored) refuse_mirrored(work.member.name);
+    const Similarity back = fit_similarity(work.honest.vertices, others.mean);
+    const Points shape = back.apply(work.honest.vertices);
+    work.unusual = unusual(others, shape);
+    work.generality =
+        (shape - others.instance(others.coefficients(shape))).rowwise().norm().mean() / back.scale;
+    return true;
+  }
+
+  /// The base's shape stays as it is, and with it whatever its members show.
+  bool lay_on_base() {
+    if (base_.shape.mode_count() == 0 || !(base_.usual > 0.0))
+      throw InputError("atlas", "base", "has no shape that could be kept", "Build on another atlas");
+    const bool done =
+        each(0.0, 0.95, "atlas.correspond", [&](std::size_t i) { return lay_on(base_.shape, works_[i]); });
+    if (!done) return false;
+    result_.atlas = base_;
+    result_.atlas.name = base_.name + ", " + options_.name;
+    result_.atlas.structures.clear();
+    std::vector<double> ratios;
+    for (const Work& work : works_) {
+      ratios.push_back(work.unusual / base_.usual);
+      modes_.push_back(modes_of(work));
+    }
+    added_unusual_ = std::max(options_.added_unusual, upper_percentile(ratios, 0.95));
+    return true;
   }
 
   void finish_shape() {
@@ -228,7 +257,7 @@ class Builder {
     statistics.structure = structure;
     statistics.origin = options_.name;
     statistics.added_deviation = options_.added_deviation;
-    statistics.added_unusual = options_.added_unusual;
+    statistics.added_unusual = added_unusual_;
     observe(statistics, observed);
     if (is_area(structure)) statistics.share = shares(structure);
     result_.atlas.structures.push_back(std::move(statistics));
@@ -250,6 +279,12 @@ class Builder {
       return;
     }
     StructureStatistics taken = *known;
+    result_.notes.push_back(std::string("atlas.taken_over ") + structure_code(structure) + " " +
+                            note_value(known->origin));
+    if (options_.keep_shape) {
+      result_.atlas.structures.push_back(std::move(taken));
+      return;
+    }
     const TriangleMesh mean = base_.mean();
     taken.mean = points_at(places_of(mean, known->mean, size_of(mean.vertices)), result_.atlas.mean(),
                            size_of(result_.atlas.shape.mean));
@@ -257,8 +292,6 @@ class Builder {
     if (taken.slopes.cols() > 0) taken.added_deviation = std::hypot(taken.added_deviation, slope_size(taken));
     taken.slopes.resize(taken.mean.size(), 0);
     result_.atlas.structures.push_back(std::move(taken));
-    result_.notes.push_back(std::string("atlas.taken_over ") + structure_code(structure) + " " +
-                            note_value(known->origin));
   }
   static double slope_size(const StructureStatistics& statistics) {
     return std::sqrt(statistics.slopes.squaredNorm() / static_cast<double>(statistics.slopes.rows()));
@@ -306,7 +339,7 @@ class Builder {
     result_.quality.compactness_modes = result_.atlas.shape.mode_count();
     for (const Work& work : works_)
       result_.quality.generality += work.generality / static_cast<double>(count());
-    result_.quality.specificity = specificity();
+    if (!options_.keep_shape) result_.quality.specificity = specificity();
   }
 
   void judge(LeftOut& left, const Work& work, const StructureStatistics& statistics) const {
@@ -371,6 +404,7 @@ class Builder {
   const Atlas& base_;
   const BuildOptions& options_;
   const RunContext& context_;
+  double added_unusual_;
   std::vector<Work> works_;
   Points gauge_;
   std::vector<Eigen::VectorXd> modes_;

@@ -111,6 +111,17 @@ void observe(StructureStatistics& statistics, const std::vector<Observation>& ob
   }
 }
 
+void sum_up(StructureStatistics& statistics) {
+  const auto n = static_cast<int>(statistics.residuals.size());
+  statistics.summed.assign(static_cast<std::size_t>(statistics.mean.rows()), Eigen::Matrix3d::Zero());
+  for (const Points& residual : statistics.residuals)
+    for (Eigen::Index k = 0; k < residual.rows(); ++k)
+      statistics.summed[static_cast<std::size_t>(k)] += residual.row(k).transpose() * residual.row(k) / n;
+  statistics.summed_livers = n;
+  statistics.residuals.clear();
+  statistics.members.clear();
+}
+
 Points predicted(const StructureStatistics& statistics, const Eigen::VectorXd& modes) {
   Points points = statistics.mean;
   const Eigen::Index used = std::min(statistics.slopes.cols(), modes.size());
@@ -129,13 +140,19 @@ Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int
     sum += r.transpose() * r;
     ++n;
   }
+  if (statistics.summed_livers > 0) {
+    n = statistics.summed_livers;
+    sum = n * statistics.summed[static_cast<std::size_t>(point)];
+  }
   require(n >= 1, "a covariance needs residuals");
   const Eigen::Matrix3d even = Eigen::Matrix3d::Identity() * (sum.trace() / (3.0 * n));
   const Eigen::Matrix3d own = (sum + kEven * even) / (n + kEven);
   // A new residual's T^2 with the covariance of n others about a known mean is 3 n / (n - 2) F(3, n - 2).
   const double degrees = std::max(1.0, n + kEven - 2.0);
   const double widening = 3.0 * (n + kEven) / degrees * fisher95(degrees) / kEllipsoid95;
-  const double added = statistics.added_deviation * std::max(1.0, growth / statistics.added_unusual);
+  const double beyond = std::max(1.0, growth / statistics.added_unusual);
+  const double added = statistics.added_deviation * beyond;
+  if (added == 0.0) growth = beyond;  // the members are the livers that it was set on
   const double even_part = added * added + growth * growth * kLeastDeviation * kLeastDeviation;
   return growth * growth * widening * own + even_part * Eigen::Matrix3d::Identity();
 }

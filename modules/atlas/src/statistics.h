@@ -17,6 +17,10 @@ struct Observation {
 /// members left out. @pre three observations at least
 void observe(StructureStatistics& statistics, const std::vector<Observation>& observed);
 
+/// Keeps of the residuals their mean square alone, and of the members their number. What the slopes explain
+/// stays.
+void sum_up(StructureStatistics& statistics);
+
 /// The structure on the mean liver for a shape of these modes (over their deviations).
 Points predicted(const StructureStatistics& statistics, const Eigen::VectorXd& modes);
 

@@ -59,7 +59,7 @@ class Placed {
   Proposal propose(const StructureStatistics& statistics) const {
     Proposal proposal;
     proposal.structure = statistics.structure;
-    proposal.members = static_cast<int>(statistics.members.size());
+    proposal.members = statistics.livers();
     proposal.origin = statistics.origin;
     const Eigen::VectorXd modes = out_.modes.cwiseMin(3.0).cwiseMax(-3.0);
     const Points on_mean = predicted(statistics, modes);

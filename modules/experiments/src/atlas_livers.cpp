@@ -10,6 +10,7 @@
 #include "glisson/model/build.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/volume/io.h"
+#include "readings.h"
 
 namespace glisson::experiments {
 namespace {
@@ -87,6 +88,18 @@ Cancellable<LabelMapLiver> label_map_liver(const fs::path& data, const std::stri
   if (!built) return {};
   return LabelMapLiver{atlas::member_of(name, built->model, {}),
                        atlas::evidence_of(built->model).portal_vein};
+}
+
+Cancellable<std::vector<atlas::Member>> read_livers(const fs::path& data, const fs::path& readings,
+                                                    const RunContext& context) {
+  std::vector<atlas::Member> livers;
+  for (const auto& [name, all] : read_readings(readings)) {
+    if (!is_for_development(name)) continue;
+    auto liver = label_map_member(data, name, context.quiet());
+    if (!liver) return {};
+    livers.push_back({name, std::move(liver->liver), truth_of(all)});
+  }
+  return livers;
 }
 
 Cancellable<atlas::Member> label_map_member(const fs::path& data, const std::string& name,

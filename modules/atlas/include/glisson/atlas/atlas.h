@@ -35,14 +35,21 @@ struct StructureStatistics {
   /// column.
   Eigen::MatrixXd slopes;
   std::vector<PointsIn<MeanFrame>> residuals;  ///< one a member: truth - prediction without it, metres
+  /// Of so many livers only the residuals' mean square is kept (one matrix a point, m2), neither names nor
+  /// single residuals. 0: it is not.
+  int summed_livers = 0;
+  std::vector<Eigen::Matrix3d> summed;
   /// Deviation in any direction that the members do not show (metres): a population of synthetic livers is
   /// more regular than patients are.
   double added_deviation = 0.0;
   /// How unusual (over Atlas::usual) the livers were that it was set on: only beyond that it grows with what
-  /// is doubted of a shape. 1: as the members.
+  /// is doubted of a shape; where nothing is added, so do the members' own deviations. 1: as the members.
   double added_unusual = 1.0;
   /// Areas: for each vertex of the mean the share of members whose area it belongs to.
   Eigen::VectorXd share;
+
+  /// How many livers show it.
+  int livers() const { return summed_livers > 0 ? summed_livers : static_cast<int>(members.size()); }
 };
 
 /// A liver that the atlas was built from, as far as the atlas remembers it.
@@ -77,7 +84,7 @@ double unusual(const ShapeModel& model, const PointsIn<MeanFrame>& shape);
 /// normal distribution holds 95 % although few livers show it (Hotelling 1931).
 /// @param left_out a member whose residual is not used; -1: none.
 /// @param growth of the deviations, for a shape that is more unusual than the members are: the members' own
-///   grow by it, the added one by what it is over added_unusual.
+///   grow by it (StructureStatistics::added_unusual), the added one by what it is over added_unusual.
 Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1,
                            double growth = 1.0);
 
@@ -130,6 +137,10 @@ struct BuildOptions {
   std::string name = "atlas";
   double share = 0.9;                                 ///< of the variance that the modes explain
   double added_deviation = 0.0, added_unusual = 1.0;  ///< see StructureStatistics
+  /// The base's mean and modes stay; only where structures lie on them is learnt. Ellipsoids then grow only
+  /// for shapes that are more unusual than these livers are. The atlas is called "BASE, NAME".
+  bool keep_shape = false;
+  bool summed = false;  ///< keeps no single liver's residuals (StructureStatistics::summed)
   int threads = 2;
   /// @throws InputError naming the option.
   void validate() const;
@@ -139,7 +150,8 @@ struct BuildOptions {
 /// the others' mean and modes, which gives its structures' places and the honest errors.
 /// @param base its mean is the template; what no five members show is taken over from it, and said.
 /// @pre the base has a mean. Empty: cancelled.
-/// @throws InputError fewer than 5 members, two of one name, a plainly mirrored liver.
+/// @throws InputError a shape to be kept of a base that has none; fewer than 5 members, two of one name, a
+/// plainly mirrored liver.
 Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, const BuildOptions& options,
                                const RunContext& context);
 

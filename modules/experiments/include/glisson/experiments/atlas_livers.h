@@ -33,6 +33,11 @@ struct LabelMapLiver {
 /// InputError.
 Cancellable<LabelMapLiver> label_map_liver(const std::filesystem::path& data, const std::string& name,
                                            const RunContext& context);
+/// The label maps that served development, with what was read on them and nothing else: notch, falciform line
+/// and margin. Empty: cancelled. @param readings file of readings.h. @throws FileError, InputError.
+Cancellable<std::vector<atlas::Member>> read_livers(const std::filesystem::path& data,
+                                                    const std::filesystem::path& readings,
+                                                    const RunContext& context);
 /// The member alone.
 Cancellable<atlas::Member> label_map_member(const std::filesystem::path& data, const std::string& name,
                                             const RunContext& context);
