@@ -54,7 +54,7 @@ class FissureTest : public QObject {
   void initTestCase() {
     member_ = test::synthetic_member(911);
     notch_ = member_.structures.at(Structure::umbilical_notch).row(0);
-    atlas_ = test::built_in();
+    atlas_ = test::population_atlas();
     plain_ = *transfer(atlas_, member_.liver, {}, RunContext());
     with_ = made_with(moved(test::portal_vein(LeftBranch::whole), notch_ - kToNotch));
   }

@@ -34,4 +34,17 @@ inline atlas::Atlas built_in() {
   return atlas::read_atlas(std::filesystem::path(source != nullptr ? source : ".") / "resources/atlas");
 }
 
+/// The same with structures where the population has them: the built-in one has some of them where real
+/// livers do.
+inline atlas::Atlas population_atlas() {
+  std::vector<atlas::Member> members;
+  for (std::uint64_t seed = 6101; seed < 6107; ++seed) members.push_back(synthetic_member(seed));
+  atlas::BuildOptions options;
+  options.name = "population";
+  options.keep_shape = true;
+  options.added_deviation = 0.018;
+  options.added_unusual = 2.7;
+  return atlas::build(std::move(members), built_in(), options, RunContext())->atlas;
+}
+
 }  // namespace glisson::test

@@ -85,7 +85,8 @@ class BuildAtlasTest : public QObject {
     QCOMPARE(read.members.size(), std::size_t{5});
     QCOMPARE(read.members.front().name, std::string("liver_0"));
     QCOMPARE(read.find(atlas::Structure::umbilical_notch)->origin, std::string("own"));
-    QCOMPARE(read.find(atlas::Structure::falciform_line)->origin, base_->name);
+    QCOMPARE(read.find(atlas::Structure::falciform_line)->origin,
+             base_->find(atlas::Structure::falciform_line)->origin);
     QVERIFY(std::any_of(applied->notes.begin(), applied->notes.end(), [](const std::string& note) {
       return note.starts_with("atlas.taken_over falciform_line");
     }));
