@@ -48,6 +48,7 @@ class RegistrationTallyTest : public QObject {
  private slots:
   void WhatDidNotHappenMeetsNoAim();
   void AMethodThatWasNotTriedHasNoError();
+  void WaysTriedWithOneShareStandApart();
   void MethodsAreComparedOnTheSameRegistrations();
   void WhoeverFailsOnHardCloudsMissesTheAim();
   void JoinedLooksAreComparedWhereNeitherWasRefused();
@@ -106,6 +107,22 @@ void RegistrationTallyTest::AMethodThatWasNotTriedHasNoError() {
   QCOMPARE(proof.figures.at("registration_validation_20_rigid_mean_mm"), 8.0);
   QCOMPARE(proof.table[2],
            std::string("lifted         20       1     5.00         -      8.00       5.00        0"));
+}
+
+void RegistrationTallyTest::WaysTriedWithOneShareStandApart() {
+  RegistrationTrial known = trial(3e-3, 8e-3), other = trial(7e-3, 6e-3), failed = other;
+  known.share = other.share = failed.share = 0.3;
+  other.handling = "resected";
+  failed.handling = "swollen";
+  failed.mean = std::numeric_limits<double>::infinity();
+  failed.refused = true;
+  const RegistrationProof proof = proof_of({known, other, failed});
+  QCOMPARE(proof.figures.at("registration_validation_30_mean_mm"), 3.0);
+  QCOMPARE(proof.figures.at("registration_validation_others_mean_mm"), 7.0);
+  QCOMPARE(proof.figures.at("registration_validation_others_rigid_mean_mm"), 6.0);
+  QCOMPARE(proof.figures.at("registration_validation_others_failed"), 1.0);
+  QCOMPARE(proof.figures.at("registration_validation_others_untold_share"), 0.5);
+  QVERIFY(!proof_of({known}).figures.contains("registration_validation_others_mean_mm"));
 }
 
 void RegistrationTallyTest::MethodsAreComparedOnTheSameRegistrations() {

@@ -43,6 +43,7 @@ struct RegistrationProof {
   /// "30_mean_mm" (30 % seen) and the other methods' means are over the clouds whose registration gave a
   /// result; "30_failed" is the number of those without one, and "30_all_mean_mm" is infinite where there is
   /// such a one.
+  /// "others_..." are handlings that are tried with one share alone; they are not among "30_...".
   /// "expected_correlation_at_best" is what "expected_correlation" would be if every expectation were right.
   Figures figures;
   std::vector<std::string> table;   ///< of both sets, validation first

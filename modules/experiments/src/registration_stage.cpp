@@ -147,6 +147,12 @@ Rigid<CameraFrame, CameraFrame> gone_round(const RegistrationStage& stage, std::
 
 }  // namespace
 
+bool is_much_tried(const std::string& handling) {
+  return std::ranges::any_of(
+      std::span(insilico::kHandlings).first(kMuchTriedHandlings),
+      [&](insilico::Handling one) { return handling == insilico::handling_code(one); });
+}
+
 Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const std::filesystem::path& data,
                                            std::uint64_t seed, std::size_t handlings,
                                            const RunContext& context) {

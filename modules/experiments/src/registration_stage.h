@@ -15,6 +15,10 @@ namespace glisson::experiments {
 /// So many of insilico::kHandlings, the first ones, are tried with every share of the surface and with every
 /// fault; the others with the share of the faults alone.
 inline constexpr std::size_t kMuchTriedHandlings = 4;
+/// That share.
+inline constexpr double kFaultShare = 0.3;
+/// Whether a handling (its code) is one of the first.
+bool is_much_tried(const std::string& handling);
 
 /// A patient, handled in many ways, before a camera.
 struct RegistrationStage {

@@ -227,7 +227,8 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     if (trial.set == set) trials.push_back(trial);
   if (trials.empty()) return;
   std::map<std::pair<std::string, double>, Cell> cells;
-  std::map<double, Cell> shares;
+  std::map<double, Cell> shares;  // of what is tried with all of them
+  Cell others;
   std::map<RegistrationFault, Tally> faults;
   std::map<double, Mean> undoubted;
   Tally sum;
@@ -236,6 +237,10 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     sum.add(trial);
     if (trial.fault != RegistrationFault::none) continue;
     cells[{trial.handling, trial.share}].add(trial);
+    if (!is_much_tried(trial.handling)) {
+      others.add(trial);
+      continue;
+    }
     shares[trial.share].add(trial);
     if (!trial.doubted()) undoubted[trial.share].add(trial.mean);
   }
@@ -263,6 +268,13 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     proof.figures[at + "undoubted_mean_mm"] = millimetres(undoubted[share].value());
     proof.figures[at + "undoubted"] = undoubted[share].count;
     proof.figures[at + "untold_share"] = share_of(cell.untold, cell.count);
+  }
+  if (others.count > 0) {
+    row("others", kFaultShare, others);
+    proof.figures[prefix + "others_mean_mm"] = millimetres(others.ours.value());
+    proof.figures[prefix + "others_rigid_mean_mm"] = millimetres(others.rigid.value());
+    proof.figures[prefix + "others_failed"] = others.failed;
+    proof.figures[prefix + "others_untold_share"] = share_of(others.untold, others.count);
   }
   proof.table.emplace_back("fault             trials  refused  doubted  >10 mm  told  <3 mm  doubted");
   const auto tell = [&](const std::string& what, const Tally& tally) {

@@ -17,8 +17,6 @@
 namespace glisson::experiments {
 namespace {
 
-constexpr double kFaultShare = 0.3;  ///< that is seen where a fault is tried, and rivals are
-
 void add_figures(const registration::Findings& findings, Figures& figures) {
   figures["roughness_mm"] = 1e3 * findings.roughness;
   figures["misfit_mm"] = 1e3 * findings.misfit;
