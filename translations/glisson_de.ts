@@ -13858,6 +13858,22 @@ Mode %3 bei %4 Abweichungen
         <translation>Auch Fälle, deren Label niemand freigegeben hat</translation>
     </message>
     <message>
+        <source>Keep the mean liver, and learn places alone</source>
+        <translation>Die mittlere Leber behalten und nur Orte lernen</translation>
+    </message>
+    <message>
+        <source>Where structures lie on the mean liver of the chosen atlas: suits few cases</source>
+        <translation>Wo Strukturen auf der mittleren Leber des gewählten Atlas liegen: gut bei wenigen Fällen</translation>
+    </message>
+    <message>
+        <source>Keep nothing of single cases</source>
+        <translation>Von einzelnen Fällen nichts behalten</translation>
+    </message>
+    <message>
+        <source>Of structures means and mean squares alone, without the cases&apos; names</source>
+        <translation>Von Strukturen nur Mittel und mittlere Quadrate, ohne die Namen der Fälle</translation>
+    </message>
+    <message>
         <source>A case, or a folder of cases</source>
         <translation>Ein Fall oder ein Ordner mit Fällen</translation>
     </message>

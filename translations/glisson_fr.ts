@@ -13858,6 +13858,22 @@ Mode %3 à %4 écarts types
         <translation>Aussi les cas dont personne n&apos;a approuvé les étiquettes</translation>
     </message>
     <message>
+        <source>Keep the mean liver, and learn places alone</source>
+        <translation>Garder le foie moyen et n&apos;apprendre que les lieux</translation>
+    </message>
+    <message>
+        <source>Where structures lie on the mean liver of the chosen atlas: suits few cases</source>
+        <translation>Où les structures se trouvent sur le foie moyen de l&apos;atlas choisi : convient à peu de cas</translation>
+    </message>
+    <message>
+        <source>Keep nothing of single cases</source>
+        <translation>Ne rien garder des cas isolés</translation>
+    </message>
+    <message>
+        <source>Of structures means and mean squares alone, without the cases&apos; names</source>
+        <translation>Des structures, les moyennes et carrés moyens seuls, sans les noms des cas</translation>
+    </message>
+    <message>
         <source>A case, or a folder of cases</source>
         <translation>Un cas, ou un dossier de cas</translation>
     </message>

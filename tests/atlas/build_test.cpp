@@ -255,6 +255,22 @@ class BuildTest : public QObject {
     QVERIFY_THROWS_EXCEPTION(InputError, build(members, bare_atlas(base.mean()), options, RunContext()));
   }
 
+  void whatIsSummedUpNamesNoLiver() {
+    BuildOptions options;
+    options.summed = true;
+    const auto made = build(members_, test::built_in(), options, RunContext());
+    QVERIFY(made);
+    for (const AtlasMember& member : made->atlas.members)
+      QVERIFY2(!member.name.starts_with("liver_"), member.name.c_str());
+    for (const Structure structure : kStructures) {
+      const StructureStatistics &plain = *result_.atlas.find(structure),
+                                &summed = *made->atlas.find(structure);
+      QVERIFY(summed.members.empty() && summed.livers() == kMembers);
+      QVERIFY((covariance(summed, 0) - covariance(plain, 0)).norm() < 1e-9 * covariance(plain, 0).norm());
+    }
+    QCOMPARE(made->left_out.front().name, result_.left_out.front().name);  // told, not kept
+  }
+
   void whatTheImageShowsWins() {
     const Member other = test::synthetic_member(911);
     Evidence evidence;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The person's own atlas: chosen, remembered, said when it is damaged, used for proposals and modes, and
 // built in the window.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -158,6 +159,10 @@ void AtlasChoiceTest::OnesOwnIsBuiltInTheWindow() {
   dialog->keep_in(QString::fromStdString(made.string()));
   find<QLineEdit>("atlas_new_name")->setText(QStringLiteral("theatre two"));
   QVERIFY(dialog->task().button()->isEnabled());
+  QVERIFY(!dialog->command().options.keep_shape && !dialog->command().options.summed);
+  for (const char* name : {"atlas_keep_shape", "atlas_summed"}) find<QCheckBox>(name)->setChecked(true);
+  QVERIFY(dialog->command().options.keep_shape && dialog->command().options.summed);
+  for (const char* name : {"atlas_keep_shape", "atlas_summed"}) find<QCheckBox>(name)->setChecked(false);
   dialog->task().button()->click();
   QVERIFY(dialog->task().is_running());
   dialog->task().cancel_button()->click();

@@ -59,8 +59,7 @@ class Builder {
     find_places();
     for (const Structure structure : kStructures) add(structure);
     judge();
-    for (StructureStatistics& one : result_.atlas.structures)
-      if (options_.summed && result_.spreads.contains(one.structure)) sum_up(one);
+    if (options_.summed) forget_single_livers();
     return std::move(result_);
   }
 
@@ -71,6 +70,14 @@ class Builder {
     if (!leave_out_each()) return false;
     finish_shape();
     return true;
+  }
+
+  void forget_single_livers() {
+    for (StructureStatistics& one : result_.atlas.structures)
+      if (result_.spreads.contains(one.structure)) sum_up(one);
+    if (options_.keep_shape) return;  // the members are the base's
+    int number = 0;
+    for (AtlasMember& member : result_.atlas.members) member.name = "liver " + std::to_string(++number);
   }
 
   std::size_t count() const { return works_.size(); }

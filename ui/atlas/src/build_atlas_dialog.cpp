@@ -90,9 +90,18 @@ QLayout* BuildAtlasDialog::make_cases() {
   row->addWidget(add, 1);
   row->addWidget(remove);
   layout->addLayout(row);
-  unapproved_ = new QCheckBox(tr("Cases whose labels nobody has approved, too"), this);
-  unapproved_->setObjectName(QStringLiteral("atlas_unapproved"));
-  layout->addWidget(unapproved_);
+  const auto choice = [&](const char* name, const QString& words, const QString& tip) {
+    auto* box = new QCheckBox(words, this);
+    box->setObjectName(QLatin1String(name));
+    box->setToolTip(tip);
+    layout->addWidget(box);
+    return box;
+  };
+  unapproved_ = choice("atlas_unapproved", tr("Cases whose labels nobody has approved, too"), QString());
+  keep_shape_ = choice("atlas_keep_shape", tr("Keep the mean liver, and learn places alone"),
+                       tr("Where structures lie on the mean liver of the chosen atlas: suits few cases"));
+  summed_ = choice("atlas_summed", tr("Keep nothing of single cases"),
+                   tr("Of structures means and mean squares alone, without the cases' names"));
   connect(add, &QPushButton::clicked, this, [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("A case, or a folder of cases"));
     if (!folder.isEmpty()) add_cases(folder);
@@ -141,6 +150,8 @@ engine::BuildAtlas BuildAtlasDialog::command() const {
   build.options.name = name_->text().trimmed().toStdString();
   build.out = folder_->text().trimmed().toStdString();
   build.unapproved = unapproved_->isChecked();
+  build.options.keep_shape = keep_shape_->isChecked();
+  build.options.summed = summed_->isChecked();
   return build;
 }
 

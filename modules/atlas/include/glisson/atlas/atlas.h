@@ -140,7 +140,7 @@ struct BuildOptions {
   /// The base's mean and modes stay; only where structures lie on them is learnt. Ellipsoids then grow only
   /// for shapes that are more unusual than these livers are. The atlas is called "BASE, NAME".
   bool keep_shape = false;
-  bool summed = false;  ///< keeps no single liver's residuals (StructureStatistics::summed)
+  bool summed = false;  ///< keeps no single liver's residuals (StructureStatistics::summed), nor its name
   int threads = 2;
   /// @throws InputError naming the option.
   void validate() const;

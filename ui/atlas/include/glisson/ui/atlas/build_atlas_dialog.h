@@ -43,7 +43,7 @@ class BuildAtlasDialog : public TaskDialog {
   std::filesystem::path asked_out_;  ///< of what was asked last
   QListWidget* cases_ = nullptr;
   QLineEdit *name_ = nullptr, *folder_ = nullptr;
-  QCheckBox* unapproved_ = nullptr;
+  QCheckBox *unapproved_ = nullptr, *keep_shape_ = nullptr, *summed_ = nullptr;
   TaskButton* build_ = nullptr;
   QLabel* notes_ = nullptr;
 };
