@@ -72,7 +72,7 @@ void GuidancePanelTest::AChosenLesionTellsItsNumbers() {
   QVERIFY(words_on(*numbers).isEmpty());
   QTest::mouseClick(view, Qt::LeftButton, {}, at({0.03, 0.0, 0.0}));
   QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).contains(QStringLiteral("Depth, shortest way\n19 mm")), 20000);
-  QVERIFY2(words_on(*numbers).contains(QStringLiteral("Expected error\n3 mm")),
+  QVERIFY2(words_on(*numbers).contains(QStringLiteral("Expected error\n2 mm")),
            qPrintable(words_on(*numbers)));
   QVERIFY(!words_on(*numbers).contains(QStringLiteral("From the mark")));
   QVERIFY(table->topLevelItem(0)->isSelected());
