@@ -166,10 +166,10 @@ void GuidanceLiveTest::TheTableTellsOfEachLesion() {
   press("start_tracking");
   QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
   operation_->live_validity = Validity::partly_covered;
-  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|region only|3.2 mm|±5.6 mm"), 20000);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|region only|2.3 mm|±5.6 mm"), 20000);
   QVERIFY(reasons->text().contains(QStringLiteral("Lesion 1: as the whole overlay")));
   operation_->live_validity = Validity::picture_stands;
-  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|not shown|3.2 mm|±5.6 mm"), 20000);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|not shown|2.3 mm|±5.6 mm"), 20000);
 }
 
 void GuidanceLiveTest::LastPictureStaysUntilAnotherCaseWhateverItsStyle() {
