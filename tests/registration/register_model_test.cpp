@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one door decides of a registration: where it starts, and what it rests on.
+#include "glisson/registration/error_model.h"
 #include "glisson/registration/register_model.h"
 
 #include <QTest>
@@ -332,7 +333,7 @@ void RegisterModelTest::ALesionIsAsUncertainAsTheTissueAroundIt() {
   QVERIFY(made.registered.forces && registration.lesions.size() == 1);
   double around = 0.0;
   for (int k = 0; k < 4; ++k) around += 0.25 * registration.expected[bare.mesh.tetrahedra(200, k)];
-  const double own = std::sqrt(registration.lesions.front().covariance.trace());
+  const double own = mean_error(registration.lesions.front().covariance);
   QVERIFY2(std::abs(own / around - 1.0) < 0.01, qPrintable(QString("%1 of %2").arg(own).arg(around)));
 }
 
