@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one door decides of a registration: where it starts, and what it rests on.
-#include "glisson/registration/error_model.h"
 #include "glisson/registration/register_model.h"
+#include "glisson/registration/error_model.h"
 
 #include <QTest>
 #include <cmath>
