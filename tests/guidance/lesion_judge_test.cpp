@@ -106,7 +106,9 @@ void LesionJudgeTest::TheRegistrationsErrorDecidesAtTheStart() {
     QCOMPARE(int(verdicts[0].level), level);
     QVERIFY(std::abs(verdicts[0].reach - reach) < 1e-6);
     // The mean length of an isotropic normal vector in space.
-    QVERIFY(std::abs(verdicts[0].expected - std::sqrt(8.0 / M_PI) * reach / std::sqrt(kChi)) < 1e-6);
+    // The mean length of Student's distribution of three degrees of freedom over its 95th percentile.
+    const double share = std::sqrt(8.0 / M_PI) * 1.381977 / std::sqrt(27.82988);
+    QVERIFY(std::abs(verdicts[0].expected - share * reach) < 1e-6);
     QVERIFY(std::abs(verdicts[0].radius - 5e-3) < 1e-9);
     QVERIFY(verdicts[0].reason ==
             (level == int(Level::valid) ? LesionReason::known : LesionReason::start_uncertain));
