@@ -27,7 +27,8 @@ enum class MassMatrix { lumped, consistent };
 /// The constituents of the composite (paper, 2.1.2 and 3.2).
 struct CompositeOptions {
   Material parenchyma{3500.0, 0.45};
-  /// Somebody has said the parenchyma's Poisson's ratio: where laws are told apart by evidence it is not asked.
+  /// Somebody has said the parenchyma's Poisson's ratio: where laws are told apart by evidence it is not
+  /// asked.
   bool ratio_is_given = false;
   std::map<Label, Material> by_label;  ///< other sub-domains (lesions); missing ones are parenchyma
   Material vessel_wall{620e3, 0.4};

@@ -29,8 +29,8 @@ struct LesionError {
 };
 /// Mean length of an error whose 95 % ellipsoid is that of this covariance, metres. Its tails are those of
 /// Student's distribution of three degrees of freedom, as of registrations of development livers: most places
-/// are known better than a normal distribution of the same ellipsoid has it, a few are not (EVIDENCE.md). What
-/// is no number gives none, here and below.
+/// are known better than a normal distribution of the same ellipsoid has it, a few are not (EVIDENCE.md).
+/// What is no number gives none, here and below.
 double mean_error(const Eigen::Matrix3d& covariance);
 /// Half axes of the ellipsoid that holds a place of this covariance in 95 of 100 cases, m, the longest first.
 Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance);
