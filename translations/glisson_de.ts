@@ -4308,6 +4308,22 @@
         <translation>ist unter 1</translation>
     </message>
     <message>
+        <source>are fewer than 3</source>
+        <translation>sind weniger als 3</translation>
+    </message>
+    <message>
+        <source>holds no squares in its first three columns</source>
+        <translation>enthält in den ersten drei Spalten keine Quadrate</translation>
+    </message>
+    <message>
+        <source>has no shape that could be kept</source>
+        <translation>hat keine Form, die man behalten könnte</translation>
+    </message>
+    <message>
+        <source>Build on another atlas</source>
+        <translation>Auf einem anderen Atlas aufbauen</translation>
+    </message>
+    <message>
         <source>are none</source>
         <translation>sind keine</translation>
     </message>

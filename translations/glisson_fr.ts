@@ -4308,6 +4308,22 @@
         <translation>est inférieur à 1</translation>
     </message>
     <message>
+        <source>are fewer than 3</source>
+        <translation>sont moins de 3</translation>
+    </message>
+    <message>
+        <source>holds no squares in its first three columns</source>
+        <translation>ne contient pas de carrés dans ses trois premières colonnes</translation>
+    </message>
+    <message>
+        <source>has no shape that could be kept</source>
+        <translation>n&apos;a pas de forme à garder</translation>
+    </message>
+    <message>
+        <source>Build on another atlas</source>
+        <translation>Construire sur un autre atlas</translation>
+    </message>
+    <message>
         <source>are none</source>
         <translation>n’en sont pas</translation>
     </message>

@@ -101,6 +101,7 @@ const std::vector<const char*>& model_problems() {
 const std::vector<const char*>& model_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Build the atlas again, or take another one"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Build on another atlas"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Build the atlas again with this program"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Copy both files of one atlas"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give %1 livers at least"),
