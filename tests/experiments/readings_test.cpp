@@ -58,6 +58,17 @@ class ReadingsTest : public QObject {
     QVERIFY(std::abs(found.at("readings_again_mean_mm") - 5.0) < 1e-9);
   }
 
+  void AMarginThatMissesTheNotchIsNotHalfATruth() {
+    const TemporaryFolder folder;
+    std::vector<Reading> both = read_readings(written(folder, reading(0) + "," + reading(6))).at("0002");
+    both[1].margin = both[1].margin.topRows(2).eval();
+    const auto truth = truth_of(both);
+    QVERIFY(truth.at(Structure::anterior_margin).col(2).cwiseAbs().maxCoeff() < 1e-9);
+    QVERIFY((truth.at(Structure::anterior_margin).row(0) - both[0].margin.row(0)).norm() < 1e-9);
+    both[0].margin = both[1].margin;
+    QVERIFY(!truth_of(both).contains(Structure::anterior_margin));
+  }
+
   void WhatIsNoReadingIsNamed_data() {
     QTest::addColumn<QString>("list");
     QTest::addColumn<QString>("field");

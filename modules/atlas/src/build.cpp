@@ -15,6 +15,7 @@
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
 #include "mirrored.h"
+#include "note.h"
 #include "statistics.h"
 
 namespace glisson::atlas {
@@ -36,12 +37,6 @@ struct Work {
   std::map<Structure, Points> truth;   ///< ordered points on the member's own liver
   std::map<Structure, Places> places;  ///< the same on the template
 };
-
-std::string shown(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 class Builder {
  public:
@@ -136,8 +131,8 @@ class Builder {
     for (std::size_t i = 0; i < count(); ++i) {
       if (distances[i] <= limit) continue;
       works_[i].weight = (limit / distances[i]) * (limit / distances[i]);
-      result_.notes.push_back("atlas.outlier " + note_value(works_[i].member.name) + " " +
-                              shown(distances[i] / middle, 2));
+      result_.notes.push_back(
+          note("atlas.outlier " + note_value(works_[i].member.name), distances[i] / middle, 2));
     }
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "note.h"
 #include "umbilical_part.h"
 
 namespace glisson::atlas {

@@ -18,7 +18,4 @@ void draw_to_fissure(std::vector<Proposal>& proposals, const std::vector<Proposa
                      const std::vector<VesselTree>& portal_vein, const Eigen::Matrix3d& upright,
                      std::vector<std::string>& doubts);
 
-/// "atlas.unusual_shape 1.6": a doubt's code with its value.
-std::string note(const char* code, double value, int decimals);
-
 }  // namespace glisson::atlas

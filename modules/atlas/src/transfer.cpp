@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "fissure.h"
@@ -14,6 +13,7 @@
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/patient/label_map.h"
 #include "mirrored.h"
+#include "note.h"
 #include "statistics.h"
 
 namespace glisson::atlas {
@@ -167,8 +167,8 @@ void show(Proposal& proposal, const Points& seen, const Points& raw, std::vector
     apart = off.norm();
   }
   if (worst > kContradiction)
-    doubts.push_back(note((std::string("atlas.contradiction ") + structure_code(proposal.structure)).c_str(),
-                          1e3 * apart, 0));
+    doubts.push_back(
+        note(std::string("atlas.contradiction ") + structure_code(proposal.structure), 1e3 * apart, 0));
   put(proposal, seen, raw, Source::image, kImageDeviation);
 }
 
@@ -221,12 +221,6 @@ void onto_liver(Proposal& proposal, const ClosestPointTree& tree) {
 }
 
 }  // namespace
-
-std::string note(const char* code, double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return std::string(code) + " " + text;
-}
 
 const char* source_code(Source source) {
   constexpr std::array kCodes = {"statistics", "image", "both", "person"};

@@ -9,6 +9,7 @@
 #include "patient_proof.h"
 #include "pulled_proof.h"
 #include "registration_proof.h"
+#include "registration_stage.h"
 #include "stereo_proof.h"
 
 namespace glisson::experiments {
@@ -83,7 +84,7 @@ Cancellable<Proven> run_registration(const ProofChoices& choices, const fs::path
   options.validation = !choices.development_only;
   options.former = choices.former;
   options.looks_alone = choices.looks;
-  if (choices.looks) options.handlings = std::min<std::size_t>(options.handlings, 4);
+  if (choices.looks) options.handlings = std::min(options.handlings, kMuchTriedHandlings);
   return proven_of(prove_registration(options, folder, context));
 }
 

@@ -102,12 +102,14 @@ std::map<Structure, Points> truth_of(const std::vector<Reading>& readings) {
   std::map<Structure, Points> truth;
   for (const Structure structure : kRead) {
     Points sum;
+    double read = 0.0;  // a margin that does not pass the notch is none
     for (const Reading& reading : readings) {
       const Points points = ordered(structure, line_of(reading, structure), reading.notch);
       if (points.rows() == 0) continue;
       sum = sum.rows() == 0 ? points : Points(sum + points);
+      read += 1.0;
     }
-    if (sum.rows() > 0) truth[structure] = sum / static_cast<double>(readings.size());
+    if (sum.rows() > 0) truth[structure] = sum / read;
   }
   return truth;
 }
