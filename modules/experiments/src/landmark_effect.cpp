@@ -245,8 +245,8 @@ void LandmarkEffectOptions::validate() const {
   if (!atlas) throw InputError("landmark effect", "atlas", "is not there", "Give an atlas");
   const OptionCheck demand("landmark effect");
   demand(patients > 0, "patients", patients, "Give one at least");
-  static_assert(std::size(insilico::kHandlings) == 9);
-  demand(handlings > 0 && handlings <= 9, "handlings", handlings, "Give 1 to 9");
+  static_assert(std::size(insilico::kHandlings) == 10);
+  demand(handlings > 0 && handlings <= 10, "handlings", handlings, "Give 1 to 10");
   demand(share > 0.0 && share <= 1.0, "share", share, "Give a share in (0, 1]");
 }
 

@@ -101,8 +101,8 @@ void RegistrationProofOptions::validate() const {
   demand(!shares.empty(), "shares", 0.0, "Give one at least");
   for (const double share : shares)
     demand(share > 0.0 && share <= 1.0, "shares", share, "Give shares in (0, 1]");
-  static_assert(std::size(insilico::kHandlings) == 9);
-  demand(handlings > 0 && handlings <= 9, "handlings", static_cast<double>(handlings), "Give 1 to 9");
+  static_assert(std::size(insilico::kHandlings) == 10);
+  demand(handlings > 0 && handlings <= 10, "handlings", static_cast<double>(handlings), "Give 1 to 10");
 }
 
 Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,

@@ -21,7 +21,7 @@ struct RegistrationProofOptions {
   bool development = true, validation = true;
   std::uint64_t seed = 1;
   std::vector<double> shares{0.1, 0.2, 0.3, 0.5};  ///< of the surface that is seen
-  std::size_t handlings = 9;                       ///< of insilico::kHandlings, the first ones
+  std::size_t handlings = 10;                      ///< of insilico::kHandlings, the first ones
   bool rivals = true;                              ///< the paper's method too
   /// Instead of all that: whether the look that a registration asks for helps.
   bool looks_alone = false;

@@ -86,6 +86,7 @@ void HandledLoads::handle(Handling handling, const Organ& organ, Hand& hand) {
     case Handling::pulled:
       return pull(1 + hand.draw(3), organ, hand);
     case Handling::inflated:
+    case Handling::emptied:
       return inflate(organ);
     case Handling::swollen:
     case Handling::resected:

@@ -11,7 +11,8 @@
 
 namespace glisson::insilico {
 
-/// What is done to the liver. None of it is what `registration` simulates beforehand.
+/// What is done to the liver. None of it is what `registration` simulates beforehand; of the volume it knows
+/// that it may change, not how.
 enum class Handling {
   lifted,   ///< a tool takes a lobe by its margin and lifts it off the bed
   pressed,  ///< a broad retractor presses the front
@@ -23,11 +24,12 @@ enum class Handling {
   inflated,   ///< gas presses all that does not lie on the bed, and carries the diaphragm up
   stiffened,  ///< its tissue differs from place to place, with a hard tumour in it; lifted by a tool
   swollen,    ///< larger by 6 to 14 % of its volume, and pulled at two places
-  resected    ///< a piece with a part of the margin is gone, and the rest is pulled at two places
+  resected,   ///< a piece with a part of the margin is gone, and the rest is pulled at two places
+  emptied     ///< gas has pressed 5 to 19 % of its volume out of it, and presses as on an inflated one
 };
-inline constexpr Handling kHandlings[] = {Handling::lifted,    Handling::pressed,  Handling::turned,
-                                          Handling::pulled,    Handling::loosened, Handling::inflated,
-                                          Handling::stiffened, Handling::swollen,  Handling::resected};
+inline constexpr Handling kHandlings[] = {
+    Handling::lifted,   Handling::pressed,   Handling::turned,  Handling::pulled,   Handling::loosened,
+    Handling::inflated, Handling::stiffened, Handling::swollen, Handling::resected, Handling::emptied};
 /// "lifted", "pressed", ...: as in the code.
 const char* handling_code(Handling handling);
 
