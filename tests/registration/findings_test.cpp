@@ -55,6 +55,7 @@ class FindingsTest : public QObject {
   void ARightPlaceLeavesNothingToFind();
   void AnOrganOfAnotherSizeIsFoundOut();
   void WhatLiesBehindTheModelIsCounted();
+  void TheOrgansVolumeIsThatOfItsPlace();
 
  private:
   PatientModel model_ = phantom::model(7, 6, 3);
@@ -238,6 +239,18 @@ void FindingsTest::WhatLiesBehindTheModelIsCounted() {
   QVERIFY(examine({model_, cloud, registration, nullptr, error})->hidden < 0.01);
   for (Eigen::Index i = 0; i < cloud.points.rows(); i += 2) cloud.points.row(i) *= 1.15;
   QVERIFY(std::abs(examine({model_, cloud, registration, nullptr, error})->hidden - 0.5) < 0.1);
+}
+
+void FindingsTest::TheOrgansVolumeIsThatOfItsPlace() {
+  const CameraFromCt pose = phantom::view();
+  const LabelledCloud cloud = patch(model_, 0.3, 0.2e-3);
+  const ErrorModel error = error_of(model_, pose, cloud, 0.2e-3);
+  Registration registration;
+  registration.camera_from_ct = pose;
+  registration.nodes_in_camera = pose.apply(model_.mesh.vertices);
+  QVERIFY(std::abs(examine({model_, cloud, registration, nullptr, error})->volume_change) < 1e-9);
+  registration.nodes_in_camera.col(1) *= 0.9;
+  QVERIFY(std::abs(examine({model_, cloud, registration, nullptr, error})->volume_change + 0.1) < 1e-9);
 }
 
 QTEST_APPLESS_MAIN(FindingsTest)

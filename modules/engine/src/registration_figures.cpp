@@ -95,6 +95,7 @@ void add_findings(Figures& figures, const registration::Findings& findings) {
   set("evidence_elsewhere_probability", findings.elsewhere);
   set("evidence_size", findings.size);
   set("evidence_size_sigma", findings.size_sigma);
+  set("evidence_volume_change", findings.volume_change);
 }
 
 void add_figures(Figures& figures, const registration::Registered& made) {

@@ -33,6 +33,7 @@ void add_figures(const registration::Findings& findings, Figures& figures) {
   figures["elsewhere"] = findings.elsewhere;
   figures["size"] = findings.size;
   figures["size_sigma"] = findings.size_sigma;
+  figures["volume_change"] = findings.volume_change;
   figures["expected_mm"] = 1e3 * findings.expected;
 }
 

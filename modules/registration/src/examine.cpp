@@ -86,6 +86,16 @@ double roughness_of(const PreparedCloud& cloud, const RunContext& context) {
   return values.empty() ? 0.0 : upper_median(std::move(values));
 }
 
+namespace {
+
+/// m3, of the mesh with its nodes there.
+double volume_of(const Points& nodes, TetMesh mesh) {
+  mesh.vertices = nodes;
+  return tetrahedron_volumes(mesh).sum();
+}
+
+}  // namespace
+
 LabelledCloud mirrored(const LabelledCloud& cloud) {
   LabelledCloud image = cloud;
   image.points.col(0) *= -1.0;
@@ -113,6 +123,9 @@ Cancellable<Findings> examine(const Examined& examined, const RunContext& contex
   findings.expected = told.size() > 0 ? told.mean() : error.expected().mean();
   MovingSurface surface(examined.model, SurfaceDetail::fine);
   const Points& final_nodes = examined.registration.nodes_in_camera;
+  findings.volume_change = volume_of(final_nodes, examined.model.mesh) /
+                               volume_of(examined.model.mesh.vertices, examined.model.mesh) -
+                           1.0;
   surface.move(final_nodes);
   if (examined.in_cameras_frame) findings.hidden = hidden_share(surface, cloud, context);
   if (context.cancelled()) return std::nullopt;
