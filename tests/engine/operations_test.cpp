@@ -162,7 +162,7 @@ void OperationsTest::WhatIsOutOfRangeInTheCaseIsNamed() {
   const std::string text = read_file(path / "case.json");
   for (const auto& [field, was, wrong] :
        {std::tuple{"gas_pa", "\"gas_pa\": 80.0", "\"gas_pa\": 1e300"},
-        std::tuple{"volume_change", "\"volume_change\": 0.14", "\"volume_change\": 2.0"},
+        std::tuple{"volume_change", "\"volume_change\": 0.1,", "\"volume_change\": 2.0,"},
         std::tuple{"seed", "\"seed\": 1", "\"seed\": -1"},
         std::tuple{"modes", "\"modes\": 60", "\"modes\": \"many\""}}) {
     std::string changed = text;

@@ -103,19 +103,30 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh)
       }()) {}
 
 ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, const std::vector<int>& triangles)
-    : vertices_(mesh.vertices), triangles_(mesh.triangles), order_(triangles) {
+    : order_(triangles) {
+  row_of_.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
   if (order_.empty()) return;
   std::vector<Eigen::Vector3d> centres(static_cast<std::size_t>(mesh.triangle_count()));
   for (const int t : order_)
-    centres[t] =
-        (mesh.vertex(triangles_(t, 0)) + mesh.vertex(triangles_(t, 1)) + mesh.vertex(triangles_(t, 2))) / 3.0;
+    centres[t] = (mesh.vertex(mesh.triangles(t, 0)) + mesh.vertex(mesh.triangles(t, 1)) +
+                  mesh.vertex(mesh.triangles(t, 2))) /
+                 3.0;
   nodes_.reserve(order_.size() / 2 + 1);
   build(0, static_cast<int>(order_.size()), centres);
   double extent = 0.0;
-  for (const int t : order_) {
-    corners_of_.push_back({triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)});
-    extent += (vertices_.row(triangles_(t, 1)) - vertices_.row(triangles_(t, 0))).cwiseAbs().maxCoeff();
+  int rows = 0;
+  place_of_.assign(static_cast<std::size_t>(mesh.triangle_count()), -1);
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const auto corners = mesh.triangles.row(order_[k]);
+    place_of_[static_cast<std::size_t>(order_[k])] = static_cast<int>(k);
+    for (const int vertex : corners)
+      if (int& row = row_of_[static_cast<std::size_t>(vertex)]; row < 0) row = rows++;
+    const auto row = [&](int c) { return row_of_[static_cast<std::size_t>(corners[c])]; };
+    corners_of_.push_back({row(0), row(1), row(2)});
+    extent += (mesh.vertices.row(corners[1]) - mesh.vertices.row(corners[0])).cwiseAbs().maxCoeff();
   }
+  vertices_.resize(rows, 3);
+  place(mesh.vertices);
   most_slack_ = kMostSlack * extent / static_cast<double>(order_.size());
   fit_all();
 }
@@ -183,10 +194,16 @@ void ClosestPointTree::fit_all() {
   slack_.setZero();
 }
 
+void ClosestPointTree::place(const Points& vertices) {
+  for (std::size_t vertex = 0; vertex < row_of_.size(); ++vertex)
+    if (row_of_[vertex] >= 0)
+      vertices_.row(row_of_[vertex]) = vertices.row(static_cast<Eigen::Index>(vertex));
+}
+
 void ClosestPointTree::refit(const Points& vertices) {
-  require(vertices.rows() == vertices_.rows(), "refit needs the same vertices, moved");
-  vertices_ = vertices;
+  require(vertices.rows() == std::ssize(row_of_), "refit needs the same vertices, moved");
   if (nodes_.empty()) return;
+  place(vertices);
   slack_.setZero();
   for (Eigen::Index i = 0; i < vertices_.rows(); ++i)
     slack_ = slack_.cwiseMax((vertices_.row(i) - fitted_.row(i)).transpose().cwiseAbs());
@@ -200,15 +217,15 @@ ClosestPoint ClosestPointTree::closest(const Eigen::Vector3d& query, double radi
 ClosestPoint ClosestPointTree::closest_from(int near, const Eigen::Vector3d& query) const {
   ClosestPoint best;
   double best_squared = std::numeric_limits<double>::infinity();
-  if (near >= 0) offer(near, query, best_squared, best);
+  const int at = near >= 0 && !nodes_.empty() ? place_of_[static_cast<std::size_t>(near)] : -1;
+  if (at >= 0) offer(near, corners_of_[static_cast<std::size_t>(at)], query, best_squared, best);
   return search(query, best_squared, best);
 }
 
-void ClosestPointTree::offer(int triangle, const Eigen::Vector3d& query, double& best_squared,
-                             ClosestPoint& best) const {
-  const Eigen::Vector3d a = vertices_.row(triangles_(triangle, 0)).transpose(),
-                        b = vertices_.row(triangles_(triangle, 1)).transpose(),
-                        c = vertices_.row(triangles_(triangle, 2)).transpose();
+void ClosestPointTree::offer(int triangle, const Corners& corners, const Eigen::Vector3d& query,
+                             double& best_squared, ClosestPoint& best) const {
+  const Eigen::Vector3d a = vertices_.row(corners[0]).transpose(), b = vertices_.row(corners[1]).transpose(),
+                        c = vertices_.row(corners[2]).transpose();
   const Eigen::Vector3d weights = closest_on_triangle(query, a, b, c);
   const Eigen::Vector3d point = weights[0] * a + weights[1] * b + weights[2] * c;
   const double squared = (point - query).squaredNorm();
@@ -257,7 +274,7 @@ ClosestPoint ClosestPointTree::search(const Eigen::Vector3d& query, double best_
     const Queue::Entry entry = queue.entries[--queue.size];
     if (entry.squared > limit) continue;
     if (entry.child < 0) {
-      offer(order_[~entry.child], query, best_squared, best);
+      offer(order_[~entry.child], corners_of_[~entry.child], query, best_squared, best);
       limit = limit_of(best_squared);
       continue;
     }
@@ -286,7 +303,7 @@ ClosestPoint ClosestPointTree::first_hit(const Eigen::Vector3d& origin, const Ei
   while (depth > 0) {
     const int at = stack[--depth];
     if (at < 0) {
-      meet(order_[~at], origin, direction, t_min, nearest, best);
+      meet(order_[~at], corners_of_[~at], origin, direction, t_min, nearest, best);
       continue;
     }
     const Node& node = nodes_[at];
@@ -306,11 +323,12 @@ ClosestPoint ClosestPointTree::first_hit(const Eigen::Vector3d& origin, const Ei
 }
 
 /// Möller and Trumbore 1997.
-void ClosestPointTree::meet(int triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                            double t_min, double& nearest, ClosestPoint& best) const {
-  const Eigen::Vector3d a = vertices_.row(triangles_(triangle, 0)).transpose();
-  const Eigen::Vector3d ab = vertices_.row(triangles_(triangle, 1)).transpose() - a;
-  const Eigen::Vector3d ac = vertices_.row(triangles_(triangle, 2)).transpose() - a;
+void ClosestPointTree::meet(int triangle, const Corners& corners, const Eigen::Vector3d& origin,
+                            const Eigen::Vector3d& direction, double t_min, double& nearest,
+                            ClosestPoint& best) const {
+  const Eigen::Vector3d a = vertices_.row(corners[0]).transpose();
+  const Eigen::Vector3d ab = vertices_.row(corners[1]).transpose() - a;
+  const Eigen::Vector3d ac = vertices_.row(corners[2]).transpose() - a;
   const Eigen::Vector3d p = direction.cross(ac);
   const double determinant = ab.dot(p);
   if (determinant == 0.0) return;

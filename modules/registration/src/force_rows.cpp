@@ -72,13 +72,16 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
   resize(rows, cloud.cloud.size());
   bool labelled = false;
   int outliers = 0;
-  for (int i = 0; i < cloud.cloud.size(); ++i) {
+  rows.carriers.resize(static_cast<std::size_t>(cloud.cloud.size()));
+  rows.seen_in.resize(rows.carriers.size());
+  NormalMemo normals;
+  for (const int i : cloud.turn) {
     labelled = labelled || !on_surface(surface, cloud.cloud.feature(i));
     const Eigen::Vector3d p = cloud.cloud.points.row(i).transpose();
     const ClosestPoint at = surface.closest(Feature::surface, p);
-    const Eigen::Vector3d n = surface.normal(at);
-    rows.carriers.push_back(surface.carrier(at));
-    rows.seen_in.push_back(cloud.cloud.look(i));
+    const Eigen::Vector3d n = surface.normal(at, normals);
+    rows.carriers[static_cast<std::size_t>(i)] = surface.carrier(at);
+    rows.seen_in[static_cast<std::size_t>(i)] = cloud.cloud.look(i);
     rows.points.row(i) = at.point.transpose();
     rows.directions.row(i) = n.transpose();
     rows.gap[i] = n.dot(p - at.point);

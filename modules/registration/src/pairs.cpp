@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -67,6 +68,30 @@ std::vector<int> thinned_rows(const LabelledCloud& cloud, int maximum) {
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
+}
+
+/// Along a curve through the cells of a lattice of 1024 a side (Morton 1966).
+std::vector<int> by_place(const Points& points) {
+  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const double side = std::max((points.colwise().maxCoeff() - low).maxCoeff(), 1e-9) / 1023.0;
+  const auto spread_out = [](std::uint32_t bits) {  // two zeros between each two
+    bits = (bits | bits << 16U) & 0x030000FFU;
+    bits = (bits | bits << 8U) & 0x0300F00FU;
+    bits = (bits | bits << 4U) & 0x030C30C3U;
+    return (bits | bits << 2U) & 0x09249249U;
+  };
+  std::vector<std::pair<std::uint32_t, int>> cells;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    std::uint32_t cell = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      cell |= spread_out(static_cast<std::uint32_t>((points(i, axis) - low[axis]) / side)) << axis;
+    cells.emplace_back(cell, static_cast<int>(i));
+  }
+  std::sort(cells.begin(), cells.end());
+  std::vector<int> order;
+  order.reserve(cells.size());
+  for (const auto& [cell, point] : cells) order.push_back(point);
+  return order;
 }
 
 /// @param apart only those of the same look: looks err each in a way of its own.
@@ -206,6 +231,7 @@ PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& opti
   const int most = options.maximum_points;
   prepared.cloud = cloud.size() <= most ? cloud : rows_of(cloud, thinned_rows(cloud, most));
   prepared.neighbours = nearest_neighbours(prepared.cloud, options.neighbours, true);
+  prepared.turn = by_place(prepared.cloud.points);
   prepared.weight.assign(static_cast<std::size_t>(prepared.cloud.size()), 0.0);
   const double reference_area = 1e-4 / options.reference_density_per_cm2;
   weigh_surface(prepared,
@@ -245,7 +271,8 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
   std::vector<Pair> pairs(static_cast<std::size_t>(cloud.size()));
   const ClosestPoint notch = surface.notch();
   const Points notches = notches_of(prepared);
-  for (int i = 0; i < cloud.size(); ++i) {
+  NormalMemo normals;
+  for (const int i : prepared.turn) {
     Pair& pair = pairs[static_cast<std::size_t>(i)];
     pair.point = i;
     pair.feature = cloud.feature(i);
@@ -258,7 +285,7 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
           pair.feature, p, before.empty() ? -1 : before[static_cast<std::size_t>(i)].on_model.triangle);
     pair.gap = p - pair.on_model.point;
     pair.on_model.distance = pair.gap.norm();
-    pair.normal = surface.normal(pair.on_model);
+    pair.normal = surface.normal(pair.on_model, normals);
     pair.deviation = surface.deviation(pair.feature, pair.on_model);
     // The ridge and the notch have no one normal: they are kept whatever the cloud's says.
     if (cloud.normals.rows() > 0 && pair.feature == Feature::surface &&

@@ -50,26 +50,32 @@ class ClosestPointTree {
 
  private:
   /// Boxes of up to four children, rounded outwards to single precision, so that they are looked at together.
-  struct Node {
+  /// It lies in two lines of the cache, which are fetched together.
+  struct alignas(128) Node {
     Eigen::Array4f low[3], high[3];  ///< each axis; of an absent child empty
     int child[4];                    ///< a node, or ~k: the triangle order_[k]; kAbsent
   };
   struct Queue;
+  using Corners = std::array<int, 3>;  ///< rows of vertices_
   /// Takes the triangle's closest point where it is nearer than the best so far.
-  void offer(int triangle, const Eigen::Vector3d& query, double& best_squared, ClosestPoint& best) const;
+  void offer(int triangle, const Corners& corners, const Eigen::Vector3d& query, double& best_squared,
+             ClosestPoint& best) const;
   /// Takes the ray's point on the triangle where it is nearer than the nearest so far.
-  void meet(int triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min,
-            double& nearest, ClosestPoint& best) const;
+  void meet(int triangle, const Corners& corners, const Eigen::Vector3d& origin,
+            const Eigen::Vector3d& direction, double t_min, double& nearest, ClosestPoint& best) const;
   ClosestPoint search(const Eigen::Vector3d& query, double best_squared, ClosestPoint best) const;
   int build(int begin, int end, const std::vector<Eigen::Vector3d>& centres);
   int split(int begin, int end, const std::vector<Eigen::Vector3d>& centres);
   void fit(Node& node) const;
   void fit_all();
+  void place(const Points& vertices);
 
+  /// In the order in which the triangles need them, so that what is near in space is near in memory.
   Points vertices_;
-  Triangles triangles_;
-  std::vector<int> order_;                      ///< of the triangles
-  std::vector<std::array<int, 3>> corners_of_;  ///< vertices of the triangles, in that order
+  std::vector<int> row_of_;          ///< of each of the mesh's vertices in vertices_
+  std::vector<int> place_of_;        ///< of each of the mesh's triangles in order_; -1: it is not chosen
+  std::vector<int> order_;           ///< of the triangles
+  std::vector<Corners> corners_of_;  ///< of the triangles, in that order
   std::vector<Node> nodes_;
   Points fitted_;                                    ///< vertices that the boxes were fitted to
   Eigen::Vector3d slack_ = Eigen::Vector3d::Zero();  ///< by which any has moved since, at most, each axis

@@ -24,6 +24,9 @@ struct PreparedCloud {
   std::vector<double> surface_weight;
   /// The nearest other points of the same look, nearest first; fewer in a small cloud.
   std::vector<std::vector<int>> neighbours;
+  /// All points, those that are near each other one after the other: so a search finds in the cache what the
+  /// last one has fetched. Each is as if it were alone.
+  std::vector<int> turn;
   /// How many points show the notch, in each look: together they are one mark.
   std::vector<int> notch_points;
 
