@@ -59,6 +59,8 @@ class RegionCutTest : public QObject {
   void ALargeBiteIsFilledWhereTheLiverEnclosesIt();
   void ATumourThatNoEdgePartsFromAMuscleIsTakenAndTheMuscleIsNot();
   void ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot();
+  void AStomachUnderALargeLobeIsLeft_data();
+  void AStomachUnderALargeLobeIsLeft();
   void WhatOnlyTheClicksTookForLiverIsNoOrgan();
   void ANotLiverClickKeepsTheTumourOut();
   void WhatWasPartedFromTheLiverStaysOut_data() { each_room(); }
@@ -173,6 +175,41 @@ void RegionCutTest::ACystAtTheRimIsFilledAndAGallbladderInItsBedIsNot() {
   // The liver's face is at 74 mm: a sixth of the cyst's surface is free, of the gallbladder's 60 %.
   QVERIFY(Bitten(20.0, 0.0).takes_ball({46, 60, 46}, 20.0, 8.0F));
   QVERIFY(!Bitten(20.0, 0.0).takes_ball({46, 78, 46}, 20.0, 8.0F));
+}
+
+void RegionCutTest::AStomachUnderALargeLobeIsLeft_data() {
+  QTest::addColumn<double>("middle_mm");
+  QTest::addColumn<double>("hounsfield");
+  for (const double middle : {105.0, 115.0})
+    for (const double hounsfield : {40.0, 60.0})
+      QTest::addRow("%.0f mm, %.0f HU", middle, hounsfield) << middle << hounsfield;
+}
+
+void RegionCutTest::AStomachUnderALargeLobeIsLeft() {
+  QFETCH(double, middle_mm);
+  QFETCH(double, hounsfield);
+  // The lobe's face is at 100 mm and hollowed out by the stomach, by up to 35 mm; no seam parts them.
+  Field ct = field_of({110, 80, 80}, 2.0);
+  const auto in_stomach = [&](const Eigen::Vector3d& p) {
+    return (p - Eigen::Vector3d(110, middle_mm, 80)).cwiseQuotient(Eigen::Vector3d(45, 40, 60)).norm() < 1.0;
+  };
+  fill(ct, [&](const Eigen::Vector3d& p) {
+    const bool liver = p.x() > 30 && p.x() < 190 && p.y() > 20 && p.y() < 100 && p.z() > 30 && p.z() < 130;
+    return in_stomach(p) ? hounsfield : liver ? 108.0 : -95.0;
+  });
+  smooth(ct, 1.5);
+  const Mask found = largest_component(where(ct, 90.0F, 130.0F)), nothing = ct.empty_mask();
+  const Mask whole = with_enclosed(ct, found, kLiver, found, found, nothing, nothing, nothing,
+                                   {{{20, 15, 20}}, {}}, RunContext())
+                         .value();
+  long taken = 0, all = 0;
+  each_voxel(ct, [&](std::size_t at, const Eigen::Vector3d& p) {
+    if (!in_stomach(p)) return;
+    ++all;
+    taken += whole.voxels[at] != 0;
+  });
+  qInfo("%ld of %ld voxels", taken, all);
+  QVERIFY(100 * taken < all);
 }
 
 void RegionCutTest::WhatOnlyTheClicksTookForLiverIsNoOrgan() {
