@@ -48,7 +48,7 @@ struct RayCaster::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   RTCGeometry organ = nullptr;
-  unsigned wall = RTC_INVALID_GEOMETRY_ID;
+  unsigned wall = RTC_INVALID_GEOMETRY_ID, tool = RTC_INVALID_GEOMETRY_ID;
   Eigen::Index organ_vertices = 0;
 
   Impl() {
@@ -84,6 +84,16 @@ struct RayCaster::Impl {
     rtcReleaseGeometry(geometry);  // the scene keeps it
     return geometry;
   }
+  void replace(const TriangleMesh& mesh, unsigned& id) const {
+    if (id != RTC_INVALID_GEOMETRY_ID) rtcDetachGeometry(scene, id);
+    id = RTC_INVALID_GEOMETRY_ID;
+    if (mesh.triangle_count() > 0) add(mesh, RTC_BUILD_QUALITY_MEDIUM, &id);
+    commit();
+  }
+  RayHit::Thing thing(unsigned id) const {
+    if (id == wall) return RayHit::Thing::wall;
+    return id == tool ? RayHit::Thing::tool : RayHit::Thing::organ;
+  }
   void commit() const {
     rtcCommitScene(scene);
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
@@ -110,10 +120,11 @@ void RayCaster::move_organ(const Points& vertices) {
 }
 
 void RayCaster::set_wall(const TriangleMesh& wall) {
-  if (impl_->wall != RTC_INVALID_GEOMETRY_ID) rtcDetachGeometry(impl_->scene, impl_->wall);
-  impl_->add(wall, RTC_BUILD_QUALITY_MEDIUM, &impl_->wall);
-  impl_->commit();
+  require(wall.triangle_count() > 0, "the ray caster is given a surface with triangles");
+  impl_->replace(wall, impl_->wall);
 }
+
+void RayCaster::set_tool(const TriangleMesh& tool) { impl_->replace(tool, impl_->tool); }
 
 RayHit RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const {
   RTCIntersectContext context;
@@ -133,7 +144,7 @@ RayHit RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& dir
   rtcIntersect1(impl_->scene, &context, &ray);
   RayHit hit;
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.thing = ray.hit.geomID == impl_->wall ? RayHit::Thing::wall : RayHit::Thing::organ;
+  hit.thing = impl_->thing(ray.hit.geomID);
   hit.triangle = static_cast<int>(ray.hit.primID);
   hit.parameter = ray.ray.tfar;
   hit.barycentric = {1.0F - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v};
@@ -167,7 +178,7 @@ void RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f* direc
       RayHit& hit = hits[first + k];
       hit = RayHit{};
       if (ray.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
-      hit.thing = ray.hit.geomID[k] == impl_->wall ? RayHit::Thing::wall : RayHit::Thing::organ;
+      hit.thing = impl_->thing(ray.hit.geomID[k]);
       hit.triangle = static_cast<int>(ray.hit.primID[k]);
       hit.parameter = ray.ray.tfar[k];
       hit.barycentric = {1.0F - ray.hit.u[k] - ray.hit.v[k], ray.hit.u[k], ray.hit.v[k]};

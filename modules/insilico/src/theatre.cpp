@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <numbers>
+#include <optional>
+#include <random>
 #include <string>
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/core/random.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/insilico/ray_caster.h"
 #include "patch.h"
@@ -16,6 +20,7 @@
 #include "theatre_camera.h"
 #include "theatre_motion.h"
 #include "theatre_picture.h"
+#include "theatre_tool.h"
 
 namespace glisson::insilico {
 namespace {
@@ -65,11 +70,18 @@ void TheatreOptions::validate() const {
 
 ScopePath ScopePath::in_a_hand() { return {.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0}; }
 
+ScopePath ScopePath::in_a_fast_hand() {
+  return {.pivot_deg = 4.0, .roll_deg = 15.5, .period_s = 2.0, .zoom_mm = 60.0, .ease_s = 0.5};
+}
+
 void ScopePath::validate() const {
   const OptionCheck check("scope path");
   check(pivot_deg >= 0.0 && pivot_deg <= 30.0, "pivot_deg", pivot_deg, "give 0 to 30 degrees");
   check(slide_mm >= 0.0 && slide_mm <= 120.0, "slide_mm", slide_mm, "give 0 to 120 mm");
   check(roll_deg >= 0.0 && roll_deg <= 90.0, "roll_deg", roll_deg, "give 0 to 90 degrees");
+  check(zoom_mm >= 0.0 && zoom_mm <= 80.0, "zoom_mm", zoom_mm, "give 0 to 80 mm");
+  check(zoom_period_s >= 0.5 && zoom_period_s <= 60.0, "zoom_period_s", zoom_period_s, "give 0.5 to 60 s");
+  check(ease_s >= 0.0 && ease_s <= 5.0, "ease_s", ease_s, "give 0 to 5 s");
   check(period_s >= 0.5 && period_s <= 60.0, "period_s", period_s, "give 0.5 to 60 s");
   check(trocar_mm >= 50.0 && trocar_mm <= 300.0, "trocar_mm", trocar_mm, "give 50 to 300 mm");
 }
@@ -86,12 +98,21 @@ struct Theatre::Impl {
   StereoRig rig;
   CameraFromCt camera_from_ct;
   ScopePath path;
-  TriangleMesh behind;  ///< as in frame 0
+  TriangleMesh behind;              ///< as in frame 0
+  std::vector<VesselTree> vessels;  ///< the patient's
+  struct Tool {
+    ToolUse use;
+    ToolPull pull;
+    Binding touched;  ///< of one point
+    Eigen::Vector3d port;
+    TriangleMesh shaft;
+  };
+  std::optional<Tool> tool;
 
   // The stage: one frame at a time stands on it.
   mutable std::mutex mutex;
   mutable std::unique_ptr<RayCaster> caster;
-  mutable PaintedSurface painted, wall;
+  mutable PaintedScene painted;
   mutable TriangleMesh surface;
   mutable int frame = -1;
   mutable bool wall_is_moved = false;  ///< it stands as a scope that moved has put it
@@ -100,30 +121,52 @@ struct Theatre::Impl {
   Points nodes(int number) const {
     require(number >= 0 && number < options.frames, "the theatre has this frame");
     const double seconds = number / options.frames_per_second;
-    return (scope_motion(path, seconds) * camera_from_ct).apply(motion.positions(seconds));
+    Points there = motion.positions(seconds);
+    if (tool) there += tool->pull.at(tool_moment(tool->use, seconds).share);
+    return (scope_motion(path, seconds) * camera_from_ct).apply(there);
   }
-  bool moves() const { return path.pivot_deg > 0.0 || path.slide_mm > 0.0 || path.roll_deg > 0.0; }
+  bool moves() const {
+    return path.pivot_deg > 0.0 || path.slide_mm > 0.0 || path.roll_deg > 0.0 || path.zoom_mm > 0.0;
+  }
+  Eigen::Vector3d touches(const Points& nodes_in_camera) const {
+    return tool->touched.apply(mesh, nodes_in_camera).row(0).transpose();
+  }
   /// @pre the mutex is held.
   void stage_wall(int number) const {
     const auto motion_of_scope = scope_motion(path, number / options.frames_per_second);
     const TriangleMesh now{motion_of_scope.apply(behind.vertices), behind.triangles};
-    const FloatPoints rest = wall.rest_mm;
-    wall = painted_wall(now);
-    wall.rest_mm = rest;
+    const FloatPoints rest = painted.wall.rest_mm;
+    painted.wall = painted_wall(now);
+    painted.wall.rest_mm = rest;
     caster->set_wall(now);
     wall_is_moved = moves();
   }
   /// @pre the mutex is held.
+  void stage_tool(int number, const Points& nodes_in_camera) const {
+    const double seconds = number / options.frames_per_second;
+    TriangleMesh now;
+    if (tool)
+      now = placed_tool(tool->shaft, (scope_motion(path, seconds) * Point<CameraFrame>(tool->port)).xyz,
+                        touches(nodes_in_camera), tool_moment(tool->use, seconds).out);
+    if (now.triangle_count() > 0 || painted.tool.triangles.rows() > 0) caster->set_tool(now);
+    painted.tool = now.triangle_count() > 0 ? painted_wall(now) : PaintedSurface();
+  }
+  /// What lies before the lesion in the middle of the picture, somewhat beside it: triangle of the fine
+  /// surface and weights. @pre the mutex is held.
+  RayHit place_to_touch(const ToolUse& use) const;
+  /// @pre the mutex is held.
   void stage(int number) const {
     if (number == frame) return;
-    surface.vertices = liver_binding.apply(mesh, nodes(number));
+    const Points there = nodes(number);
+    surface.vertices = liver_binding.apply(mesh, there);
     if (!caster) caster = std::make_unique<RayCaster>(surface);
     caster->move_organ(surface.vertices);
-    painted.moved = surface.vertices.cast<float>();
-    painted.normals = shading_normals(surface, neighbours, kNormalRings).cast<float>();
-    painted.camera_from_rest =
+    painted.liver.moved = surface.vertices.cast<float>();
+    painted.liver.normals = shading_normals(surface, neighbours, kNormalRings).cast<float>();
+    painted.liver.camera_from_rest =
         fit_rigid<CameraFrame, CtFrame>(liver.vertices, surface.vertices).rotation.cast<float>();
     if (moves() || wall_is_moved) stage_wall(number);
+    stage_tool(number, there);
     frame = number;
   }
   void set_stage();
@@ -131,15 +174,36 @@ struct Theatre::Impl {
 
 void Theatre::Impl::set_stage() {
   neighbours = vertex_neighbours(liver);
-  painted.triangles = liver.triangles;
-  painted.rest_mm = (1e3 * liver.vertices).cast<float>();
+  painted.liver.triangles = liver.triangles;
+  painted.liver.rest_mm = (1e3 * liver.vertices).cast<float>();
   surface.triangles = liver.triangles;
   painter = std::make_unique<Painter>(rig, options.seed, options.noise, 1e-3 * options.camera_distance_mm);
   stage(0);
   behind = make_wall(surface, rig, options.seed);
-  wall = painted_wall(behind);
+  painted.wall = painted_wall(behind);
   caster->set_wall(behind);
-  painter->expose(*caster, painted, wall);
+  painter->expose(*caster, painted);
+}
+
+RayHit Theatre::Impl::place_to_touch(const ToolUse& use) const {
+  constexpr double kAside = 12e-3;
+  std::mt19937_64 random(use.seed * 69621 + 3);
+  const Points lesions = target_binding.apply(mesh, nodes(0));
+  Eigen::Vector3d goal(0.0, 0.0, 1e-3 * options.camera_distance_mm);
+  Eigen::Index nearest = 0;
+  if (lesions.rows() > 0) {
+    (lesions.leftCols<2>().rowwise().norm().array() / lesions.col(2).array()).minCoeff(&nearest);
+    goal = lesions.row(nearest).transpose();
+  }
+  for (double reach = 1.0; reach > 0.0; reach -= 0.05) {
+    const double angle = 2.0 * std::numbers::pi * uniform01(random), far = kAside * uniform01(random);
+    const Eigen::Vector3d at = reach * (goal + far * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0)) +
+                               (1.0 - reach) * Eigen::Vector3d(0.0, 0.0, goal.z());
+    if (!rig.left.shows(at)) continue;
+    const RayHit hit = caster->cast(Eigen::Vector3f::Zero(), at.cast<float>());
+    if (hit.thing == RayHit::Thing::organ) return hit;
+  }
+  throw NumericalError("the theatre's tool finds no liver before the laparoscope");
 }
 
 Theatre::Theatre(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -151,6 +215,7 @@ Cancellable<std::unique_ptr<Theatre>> Theatre::build(const PatientModel& patient
   options.validate();
   auto impl = std::make_unique<Impl>();
   impl->options = options;
+  impl->vessels = patient.vessels;
   const TriangleMesh closed = liver_of(patient);
   auto mesh = truth_mesh(closed, options.truth_vertices, context.part(0.0, 0.15));
   if (!mesh) return std::nullopt;
@@ -203,6 +268,59 @@ void Theatre::move_scope(const ScopePath& path) {
   impl_->frame = -1;
 }
 
+bool Theatre::use_tool(const ToolUse& use, const RunContext& context) {
+  use.validate();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->frame = -1;
+  if (use.way_mm == 0.0) {
+    impl_->tool.reset();
+    return true;
+  }
+  const auto former = std::exchange(impl_->tool, std::nullopt);
+  const ScopePath path = std::exchange(impl_->path, ScopePath());
+  Impl::Tool tool;
+  tool.use = use;
+  try {
+    impl_->stage(0);
+    const RayHit hit = impl_->place_to_touch(use);
+    Points touched = Points::Zero(1, 3);
+    Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const int v = impl_->liver.triangles(hit.triangle, k);
+      touched.row(0) += static_cast<double>(hit.barycentric[k]) * impl_->liver.vertices.row(v);
+      outward += static_cast<double>(hit.barycentric[k]) *
+                 impl_->painted.liver.normals.row(v).transpose().cast<double>();
+    }
+    const Eigen::Vector3d way = 1e-3 * use.way_mm * outward.normalized();
+    tool.touched = bind_points(impl_->mesh, touched, false);
+    tool.port = tool_port(use);
+    tool.shaft = tool_shaft();
+    auto pull = impl_->motion.pull(
+        impl_->mesh, impl_->vessels, impl_->landmarks, impl_->options, touched.row(0).transpose(),
+        impl_->camera_from_ct.rotation.transpose() * way, 1e-3 * use.tip_mm, context);
+    impl_->tool = former;
+    if (pull) {
+      tool.pull = std::move(*pull);
+      impl_->tool = std::move(tool);
+    }
+    impl_->path = path;
+    impl_->frame = -1;
+    return pull.has_value();
+  } catch (...) {
+    impl_->tool = former;
+    impl_->path = path;
+    impl_->frame = -1;
+    throw;
+  }
+}
+
+std::optional<Eigen::Vector3d> Theatre::tool_touches(int frame) const {
+  if (!impl_->tool) return std::nullopt;
+  return impl_->touches(impl_->nodes(frame));
+}
+
+double Theatre::tool_force_n() const { return impl_->tool ? impl_->tool->pull.force_n : 0.0; }
+
 FrameTruth Theatre::truth(int frame) const {
   FrameTruth truth;
   truth.nodes_in_camera = impl_->nodes(frame);
@@ -216,10 +334,8 @@ StereoFrame Theatre::render(int frame) const {
   StereoFrame pictures;
   pictures.index = frame;
   pictures.seconds = seconds(frame);
-  pictures.left =
-      impl_->painter->picture(Painter::Eye::left, frame, *impl_->caster, impl_->painted, impl_->wall);
-  pictures.right =
-      impl_->painter->picture(Painter::Eye::right, frame, *impl_->caster, impl_->painted, impl_->wall);
+  pictures.left = impl_->painter->picture(Painter::Eye::left, frame, *impl_->caster, impl_->painted);
+  pictures.right = impl_->painter->picture(Painter::Eye::right, frame, *impl_->caster, impl_->painted);
   return pictures;
 }
 

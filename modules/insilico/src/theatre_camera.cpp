@@ -177,7 +177,9 @@ CameraFromCt place_camera(const TriangleMesh& liver, const Points& margin, const
 }
 
 Rigid<CameraFrame, CameraFrame> scope_motion(const ScopePath& path, double seconds) {
-  const double phase = 2.0 * std::numbers::pi * seconds / path.period_s;
+  const double eased =
+      seconds < path.ease_s ? seconds * seconds / (2.0 * path.ease_s) : seconds - 0.5 * path.ease_s;
+  const double phase = 2.0 * std::numbers::pi * eased / path.period_s;
   const Eigen::Vector3d trocar(0.0, 0.0, -1e-3 * path.trocar_mm);
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(kDegree * path.pivot_deg * std::sin(phase), Eigen::Vector3d::UnitX()) *
@@ -187,7 +189,8 @@ Rigid<CameraFrame, CameraFrame> scope_motion(const ScopePath& path, double secon
   // Where the camera is now, in its frame of the beginning.
   Rigid<CameraFrame, CameraFrame> moved;
   moved.rotation = turn;
-  const double slide = 1e-3 * path.slide_mm * 0.5 * (1.0 - std::cos(phase / 1.3));
+  const double zoom = 1e-3 * path.zoom_mm * std::sin(2.0 * std::numbers::pi * eased / path.zoom_period_s);
+  const double slide = 1e-3 * path.slide_mm * 0.5 * (1.0 - std::cos(phase / 1.3)) - zoom;
   moved.translation = trocar - turn * (trocar + Eigen::Vector3d(0.0, 0.0, slide));
   return moved.inverse();
 }

@@ -129,6 +129,14 @@ fem::Loads TheatreLoads::at(const Points& x, const Points& shape, const LoadLeve
     load.tangent = spring.stiffness * Eigen::Matrix3d::Identity();
     loads.attached.push_back(load);
   }
+  for (const ToolHold& held : tool_) {
+    fem::AttachedLoad load;
+    load.nodes[0] = held.node;
+    load.weights[0] = 1.0;
+    load.force = held.stiffness * (held.from + levels.tool * held.way - x.row(held.node).transpose());
+    load.tangent = held.stiffness * Eigen::Matrix3d::Identity();
+    loads.attached.push_back(load);
+  }
   if (levels.heart_n != 0.0) {
     for (const auto& [node, share] : heart_) {
       fem::AttachedLoad load;

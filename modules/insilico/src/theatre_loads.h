@@ -19,6 +19,15 @@ struct LoadLevels {
   double ligament_lift = 0.0;  ///< metres the abdominal wall takes the falciform ligament with it
   double diaphragm = 0.0;      ///< metres the diaphragm comes down
   double heart_n = 0.0;        ///< newton, of the heart on the left dome
+  double tool = 0.0;           ///< share of its way that a tool has gone with the tissue it holds
+};
+
+/// What a tool holds by a spring.
+struct ToolHold {
+  int node = 0;
+  double stiffness = 0.0;                          ///< N/m
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where the node was when it was touched
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();   ///< metres, at the end
 };
 
 /// Gas, gravity, bed, diaphragm, vena cava, ligament and heart on a liver in the CT's frame (LPS). Springs
@@ -31,6 +40,7 @@ class TheatreLoads {
   /// equilibrium: a follower load that lags one load step behind, which keeps each equilibrium a minimum of
   /// energy.
   fem::Loads at(const Points& x, const Points& shape, const LoadLevels& levels) const;
+  void take_hold(std::vector<ToolHold> held) { tool_ = std::move(held); }
   /// Centre of the nodes that the vena cava holds.
   const Eigen::Vector3d& cava() const { return cava_; }
 
@@ -48,6 +58,7 @@ class TheatreLoads {
   std::vector<Spring> springs_;
   std::vector<std::array<int, 3>> gas_;        ///< triangles under the gas, nodes of the tetrahedral mesh
   std::vector<std::pair<int, double>> heart_;  ///< node and its share of the force
+  std::vector<ToolHold> tool_;                 ///< nothing: no tool
   Eigen::Vector3d cava_ = Eigen::Vector3d::Zero();
 };
 

@@ -19,6 +19,8 @@ namespace glisson::insilico {
 namespace {
 
 constexpr int kBreathStates = 4;          // inspiration 0, 1/3, 2/3, 1
+constexpr int kToolStates = 6;            // of a tool's way
+constexpr double kToolHold = 1500.0;      // N/m, all its springs together: some ten times the tissue's
 constexpr double kFirstPressure = 200.0;  // Pa, first try when it is ours to choose
 constexpr double kLargestPressure = 4000.0;
 /// Of the residual force, relative to the load. (A thousandth of 20 N on springs of 1000 N/m is 20 um.)
@@ -59,6 +61,8 @@ class Solver {
     moved.vertices = x;
     return tetrahedron_volumes(moved).cwiseQuotient(rest_volumes_).minCoeff();
   }
+  void take_hold(std::vector<ToolHold> held) { loads_.take_hold(std::move(held)); }
+  BoundarySurface surface() const { return model_.surface(); }
   const Points& rest() const { return model_.mesh().vertices; }
   const TheatreLoads& loads() const { return loads_; }
   int count() const { return count_; }
@@ -138,6 +142,33 @@ Cancellable<Base> find_base(Solver& solver, const TheatreOptions& options, const
       "the theatre could not deform this liver by " + std::to_string(options.elastic_motion_mm) +
       " mm without damage to its mesh (it reached " + std::to_string(1e3 * reached) + " mm at " +
       std::to_string(pressure) + " Pa); use a finer truth_vertices or less elastic_motion_mm");
+}
+
+/// What a tool that touches the surface there takes along: all springs together kToolHold, their share by
+/// area, falling off as a bell.
+std::vector<ToolHold> held_around(const BoundarySurface& surface, const Points& from,
+                                  const Eigen::Vector3d& touched, const Eigen::Vector3d& way, double around) {
+  const Eigen::VectorXd areas = vertex_areas(surface.mesh);
+  std::vector<ToolHold> held;
+  double sum = 0.0;
+  for (int v = 0; v < surface.mesh.vertex_count(); ++v) {
+    const double away = (surface.mesh.vertex(v) - touched).norm() / around;
+    if (away > 3.0) continue;
+    const int node = surface.node_of_vertex[static_cast<std::size_t>(v)];
+    held.push_back({node, std::exp(-0.5 * away * away) * areas[v], from.row(node).transpose(), way});
+    sum += held.back().stiffness;
+  }
+  require(sum > 0.0, "a tool touches the surface");
+  for (ToolHold& one : held) one.stiffness *= kToolHold / sum;
+  return held;
+}
+
+/// Weights of Lagrange's polynomial through n values at equal steps from 0 to 1.
+double lagrange(int n, int i, double at) {
+  double weight = 1.0;
+  for (int j = 0; j < n; ++j)
+    if (j != i) weight *= (at * (n - 1) - j) / (i - j);
+  return weight;
 }
 
 /// A rigid change of posture about the vena cava, as large as it must be for the wanted mean displacement.
@@ -231,6 +262,9 @@ Cancellable<TheatreMotion> TheatreMotion::solve(const TetMesh& mesh, const std::
   std::mt19937_64 random(options.seed * 7919 + 17);
   const auto posture = find_posture(solver.rest(), base->positions, solver.loads().cava(),
                                     1e-3 * options.mean_displacement_mm, random);
+  motion.base_ = base->positions;
+  motion.levels_ = base->levels;
+  motion.posture_ = posture;
   for (Points& state : motion.breath_) state = posture.apply(state);
   motion.heart_ = motion.heart_ * posture.rotation.transpose();
 
@@ -257,13 +291,62 @@ Points TheatreMotion::at(double inspired, double beat) const {
   // Lagrange's polynomial through the equilibria: smooth in time, exact at each.
   const int n = static_cast<int>(breath_.size());
   Points x = beat * heart_;
-  for (int i = 0; i < n; ++i) {
-    double weight = 1.0;
-    for (int j = 0; j < n; ++j)
-      if (j != i) weight *= (inspired * (n - 1) - j) / (i - j);
-    x += weight * breath_[static_cast<std::size_t>(i)];
-  }
+  for (int i = 0; i < n; ++i) x += lagrange(n, i, inspired) * breath_[static_cast<std::size_t>(i)];
   return x;
+}
+
+Points ToolPull::at(double share) const {
+  // From step to step along straight lines: a polynomial would swing where the tissue gives way at last.
+  const double along = share * (static_cast<double>(steps.size()) - 1.0);
+  const auto low =
+      static_cast<std::size_t>(std::clamp(std::floor(along), 0.0, static_cast<double>(steps.size()) - 2.0));
+  const double part = along - static_cast<double>(low);
+  return (1.0 - part) * steps[low] + part * steps[low + 1];
+}
+
+Cancellable<ToolPull> TheatreMotion::pull(const TetMesh& mesh, const std::vector<VesselTree>& vessels,
+                                          const Landmarks& landmarks, const TheatreOptions& options,
+                                          const Eigen::Vector3d& touched, const Eigen::Vector3d& way,
+                                          double around, const RunContext& context) const {
+  Solver solver(mesh, vessels, landmarks, options);
+  const std::vector<ToolHold> held =
+      held_around(solver.surface(), base_, touched, posture_.rotation.transpose() * way, around);
+  solver.take_hold(held);
+  ToolPull pull;
+  pull.steps.assign(1, Points::Zero(mesh.vertex_count(), 3));
+  LoadLevels levels = levels_;
+  Points last = base_;
+  for (int k = 1; k < kToolStates; ++k) {
+    const double wanted = k / (kToolStates - 1.0);
+    for (double step = wanted - levels.tool; levels.tool < wanted;) {
+      LoadLevels next = levels;
+      next.tool = std::min(wanted, levels.tool + step);
+      auto outcome = solver.solve(last, base_, next, context.quiet());
+      if (!outcome) return std::nullopt;
+      if (!outcome->usable) {
+        if ((step *= 0.5) < 0.01)
+          throw NumericalError(
+              "the theatre's tool finds no equilibrium; make its way shorter or its tip wider");
+        continue;
+      }
+      last = std::move(outcome->positions);
+      levels = next;
+    }
+    pull.steps.push_back((last - base_) * posture_.rotation.transpose());
+  }
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (const ToolHold& one : held)
+    force += one.stiffness * (one.from + one.way - last.row(one.node).transpose());
+  pull.force_n = force.norm();
+  TetMesh moved = mesh;
+  for (const double inspired : {0.0, 0.5, 1.0})
+    for (const double share : {0.5, 1.0}) {
+      moved.vertices = at(inspired, 1.0) + pull.at(share);
+      if (tetrahedron_volumes(moved).minCoeff() <= 0.0)
+        throw NumericalError(
+            "the theatre's tool turns an element of its mesh inside out; make its way shorter");
+    }
+  return pull;
 }
 
 Points TheatreMotion::positions(double seconds) const {

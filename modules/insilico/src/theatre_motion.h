@@ -8,8 +8,17 @@
 #include "glisson/geometry/rigid.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/patient/patient_model.h"
+#include "theatre_loads.h"
 
 namespace glisson::insilico {
+
+/// What a tool does to the liver: displacements of the nodes at equal steps of its way, CT's frame, metres.
+struct ToolPull {
+  std::vector<Points> steps;  ///< the first is zero
+  double force_n = 0.0;       ///< at the end
+  /// @param share of the way, 0 to 1.
+  Points at(double share) const;
+};
 
 /// Where the theatre's liver is at any time, in the CT's frame: quasi-static equilibria of a Neo-Hookean
 /// liver under gas, tilt and the push of the diaphragm, with smooth interpolation between them.
@@ -22,6 +31,15 @@ class TheatreMotion {
                                           const RunContext& context);
 
   Points positions(double seconds) const;
+  /// Equilibria under all that holds the liver at expiration and springs around `touched`, which a tool takes
+  /// along.
+  /// @param mesh, vessels, landmarks, options as for solve(). @param touched of the rest shape, on its
+  ///   surface; @param way of the tip, as the liver lies in frame 0; CT's frame, metres.
+  /// @return empty: cancelled. @throws NumericalError it cannot be taken so far.
+  Cancellable<ToolPull> pull(const TetMesh& mesh, const std::vector<VesselTree>& vessels,
+                             const Landmarks& landmarks, const TheatreOptions& options,
+                             const Eigen::Vector3d& touched, const Eigen::Vector3d& way, double around,
+                             const RunContext& context) const;
   /// @param inspired 0 (expiration) to 1. @param beat 0 to 1.
   Points at(double inspired, double beat) const;
   const TheatreFigures& figures() const { return figures_; }
@@ -30,6 +48,9 @@ class TheatreMotion {
   std::vector<Points> breath_;  ///< equilibria at equal steps of inspiration, 0 to 1
   Points heart_;                ///< displacement at the height of the beat
   double breathing_period_ = 4.0, heartbeat_period_ = 0.9;
+  Points base_;  ///< expiration, before the change of posture
+  LoadLevels levels_;
+  Rigid<CtFrame, CtFrame> posture_;
   TheatreFigures figures_;
 };
 

@@ -98,15 +98,26 @@ struct Painter::Row {
     }
   };
   std::vector<RayHit> hits;
-  Part liver, wall;
+  Part liver, wall, tool;
+  Part& part(RayHit::Thing thing) {
+    if (thing == RayHit::Thing::organ) return liver;
+    return thing == RayHit::Thing::wall ? wall : tool;
+  }
 };
 
-void Painter::meet(Eye eye, int y, const RayCaster& caster, const PaintedSurface& liver,
-                   const PaintedSurface& wall, Row& row) const {
+namespace {
+
+const PaintedSurface& painted(const PaintedScene& scene, RayHit::Thing thing) {
+  if (thing == RayHit::Thing::organ) return scene.liver;
+  return thing == RayHit::Thing::wall ? scene.wall : scene.tool;
+}
+
+}  // namespace
+
+void Painter::meet(Eye eye, int y, const RayCaster& caster, const PaintedScene& scene, Row& row) const {
   const RayTable& table = rays(eye);
   const float pixel = 1e3F / (eye == Eye::left ? focal_left_ : focal_right_);
-  row.liver.clear();
-  row.wall.clear();
+  for (Row::Part* part : {&row.liver, &row.wall, &row.tool}) part->clear();
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(table.width);
   row.hits.resize(static_cast<std::size_t>(table.width));
   caster.cast(table.origin, table.directions.data() + first, table.width, row.hits.data());
@@ -114,8 +125,7 @@ void Painter::meet(Eye eye, int y, const RayCaster& caster, const PaintedSurface
     const Eigen::Vector3f& ray = table.directions[i];
     const RayHit& hit = row.hits[i - first];
     if (hit.thing == RayHit::Thing::nothing) continue;
-    const bool organ = hit.thing == RayHit::Thing::organ;
-    const PaintedSurface& surface = organ ? liver : wall;
+    const PaintedSurface& surface = painted(scene, hit.thing);
     Eigen::Vector3f rest = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero();
     for (int k = 0; k < 3; ++k) {
       const int v = surface.triangles(hit.triangle, k);
@@ -129,7 +139,7 @@ void Painter::meet(Eye eye, int y, const RayCaster& caster, const PaintedSurface
       normal = (normal + (0.05F - facing) * to_eye).normalized();
       facing = 0.05F;
     }
-    Row::Part& part = organ ? row.liver : row.wall;
+    Row::Part& part = row.part(hit.thing);
     part.points.add(rest, pixel * hit.parameter / std::sqrt(facing));
     part.pixels.push_back(i);
     part.normals.push_back(normal);
@@ -159,18 +169,19 @@ Eigen::Array3f Painter::shade(const Eigen::Vector3f& p, const Eigen::Vector3f& n
   return lamp * (diffuse * look.albedo + gloss * Eigen::Array3f(1.0F, 0.97F, 0.93F));
 }
 
-std::vector<float> Painter::light(Eye eye, const RayCaster& caster, const PaintedSurface& liver,
-                                  const PaintedSurface& wall) const {
+std::vector<float> Painter::light(Eye eye, const RayCaster& caster, const PaintedScene& scene) const {
   const RayTable& table = rays(eye);
   const Eigen::Vector3f axis = eye == Eye::left ? left_axis_ : right_axis_;
   std::vector<float> light(table.directions.size() * 3, 0.0F);
   for_each_row(table.height, [&](int y) {
     thread_local Row row;  // keeps its memory from row to row
-    meet(eye, y, caster, liver, wall, row);
+    meet(eye, y, caster, scene, row);
     tissue_.liver(row.liver.points, row.liver.looks);
     tissue_.wall(row.wall.points, row.wall.looks);
-    for (const Row::Part* part : {&row.liver, &row.wall}) {
-      const Eigen::Matrix3f& turn = (part == &row.liver ? liver : wall).camera_from_rest;
+    Tissue::steel(row.tool.points, row.tool.looks);
+    for (const RayHit::Thing thing : {RayHit::Thing::organ, RayHit::Thing::wall, RayHit::Thing::tool}) {
+      const Row::Part* part = &row.part(thing);
+      const Eigen::Matrix3f& turn = painted(scene, thing).camera_from_rest;
       for (std::size_t j = 0; j < part->pixels.size(); ++j) {
         const Look& look = part->looks[j];
         const float cosine = -part->to_eye[j].dot(axis);  // natural vignetting, half of it corrected
@@ -185,8 +196,8 @@ std::vector<float> Painter::light(Eye eye, const RayCaster& caster, const Painte
   return light;
 }
 
-void Painter::expose(const RayCaster& caster, const PaintedSurface& liver, const PaintedSurface& wall) {
-  const std::vector<float> seen = light(Eye::left, caster, liver, wall);
+void Painter::expose(const RayCaster& caster, const PaintedScene& scene) {
+  const std::vector<float> seen = light(Eye::left, caster, scene);
   const std::vector<float> depth = caster.organ_depth(left_);
   std::vector<float> red;
   for (std::size_t i = 0; i < depth.size(); ++i)
@@ -197,9 +208,8 @@ void Painter::expose(const RayCaster& caster, const PaintedSurface& liver, const
   exposure_ = -std::log(1.0F - std::pow(kLiverLevel, 1.0F / kGamma)) / std::max(middle, 1e-6F);
 }
 
-Picture Painter::picture(Eye eye, int frame, const RayCaster& caster, const PaintedSurface& liver,
-                         const PaintedSurface& wall) const {
-  const std::vector<float> seen = light(eye, caster, liver, wall);
+Picture Painter::picture(Eye eye, int frame, const RayCaster& caster, const PaintedScene& scene) const {
+  const std::vector<float> seen = light(eye, caster, scene);
   const RayTable& table = rays(eye);
   auto bytes = std::make_shared<std::vector<std::uint8_t>>(seen.size());
   const std::uint64_t stream =

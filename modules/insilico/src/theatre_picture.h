@@ -23,6 +23,11 @@ struct PaintedSurface {
   Eigen::Matrix3f camera_from_rest = Eigen::Matrix3f::Identity();  ///< mean rotation, turns the bumps
 };
 
+/// What may be met.
+struct PaintedScene {
+  PaintedSurface liver, wall, tool;
+};
+
 /// Paints what the ray caster meets: diffuse and glossy tissue, a light at the laparoscope's tip with inverse
 /// square fall-off and a soft cone, vignetting, a lens that is not quite sharp, exposure fixed once, film
 /// curve and gamma, sensor noise by frame.
@@ -32,19 +37,16 @@ class Painter {
 
   enum class Eye { left, right };
   /// Linear light, red green blue, row-major.
-  std::vector<float> light(Eye eye, const RayCaster& caster, const PaintedSurface& liver,
-                           const PaintedSurface& wall) const;
+  std::vector<float> light(Eye eye, const RayCaster& caster, const PaintedScene& scene) const;
   /// Sets the exposure so that the liver's median in the left picture is well exposed.
-  void expose(const RayCaster& caster, const PaintedSurface& liver, const PaintedSurface& wall);
+  void expose(const RayCaster& caster, const PaintedScene& scene);
   /// @param frame seeds the noise.
-  Picture picture(Eye eye, int frame, const RayCaster& caster, const PaintedSurface& liver,
-                  const PaintedSurface& wall) const;
+  Picture picture(Eye eye, int frame, const RayCaster& caster, const PaintedScene& scene) const;
   const RayTable& rays(Eye eye) const { return eye == Eye::left ? left_ : right_; }
 
  private:
   struct Row;
-  void meet(Eye eye, int y, const RayCaster& caster, const PaintedSurface& liver, const PaintedSurface& wall,
-            Row& row) const;
+  void meet(Eye eye, int y, const RayCaster& caster, const PaintedScene& scene, Row& row) const;
   Eigen::Array3f shade(const Eigen::Vector3f& p, const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye,
                        const Look& look, const Eigen::Vector3f& lean) const;
 

@@ -107,4 +107,9 @@ void Tissue::wall(const TissuePoints& points, std::vector<Look>& looks) const {
   }
 }
 
+void Tissue::steel(const TissuePoints& points, std::vector<Look>& looks) {
+  looks.assign(static_cast<std::size_t>(points.size()), Look());
+  for (Look& look : looks) look.albedo.setConstant(0.16F), look.gloss = 2.5F;
+}
+
 }  // namespace glisson::insilico

@@ -46,6 +46,8 @@ class Tissue {
   void liver(const TissuePoints& points, std::vector<Look>& looks) const;
   /// What lies behind: fat lobules with dark red between them.
   void wall(const TissuePoints& points, std::vector<Look>& looks) const;
+  /// A tool: smooth, grey, shining.
+  static void steel(const TissuePoints& points, std::vector<Look>& looks);
 
  private:
   static constexpr std::size_t kOctaves = 10;

@@ -11,7 +11,7 @@ namespace glisson::insilico {
 
 /// What a ray met first.
 struct RayHit {
-  enum class Thing { nothing, organ, wall };
+  enum class Thing { nothing, organ, wall, tool };
   Thing thing = Thing::nothing;
   int triangle = -1;
   float parameter = 0.0F;                                 ///< origin + parameter * direction is the point met
@@ -30,7 +30,7 @@ RayTable left_rays(const StereoRig& rig);
 /// Of the right camera, in the left one's frame. A hit's parameter is its depth along the right camera's z.
 RayTable right_rays(const StereoRig& rig);
 
-/// First hits on an organ that moves (its tree is refitted, not rebuilt) and on a wall that does not, by
+/// First hits on an organ that moves (its tree is refitted, not rebuilt), on a wall and on a tool, by
 /// Embree. Any one frame, metres; single precision inside. Queries are const and thread-safe.
 class RayCaster {
  public:
@@ -44,6 +44,8 @@ class RayCaster {
   void move_organ(const Points& vertices);
   /// Replaces the former wall. @pre it has triangles, indices in range. @throws NumericalError Embree.
   void set_wall(const TriangleMesh& wall);
+  /// Likewise of a tool. Without triangles: there is none any more.
+  void set_tool(const TriangleMesh& tool);
 
   /// The first hit in front of the origin, from either side of a surface. @param direction of any length; the
   /// hit's parameter counts in it. Where nothing is met: Thing::nothing, triangle -1.

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
+#include "glisson/insilico/tool_use.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
@@ -35,16 +37,22 @@ struct TheatreOptions {
   void validate() const;
 };
 
-/// How a hand holds the laparoscope: it turns about the trocar, slides through it, and rolls. Three slow
-/// oscillations of unlike periods; frame 0 is where it stands still. All zero: it does not move.
+/// How a hand holds the laparoscope: it turns about the trocar, slides through it, and rolls. Slow
+/// oscillations of unlike periods; frame 0 is where it stood. All zero: it does not move.
 struct ScopePath {
   double pivot_deg = 0.0;    ///< amplitude about the trocar, up and down and half of it sideways
   double slide_mm = 0.0;     ///< largest way out of the trocar, from the organ
   double roll_deg = 0.0;     ///< amplitude about the optical axis
   double period_s = 4.0;     ///< of the pivot; the others' are 1.3 and 1.7 times as long
   double trocar_mm = 150.0;  ///< behind the optical centre
+  double zoom_mm = 0.0;      ///< amplitude along the axis, towards the organ first
+  double zoom_period_s = 4.0;
+  double ease_s = 0.0;  ///< from standing to full speed
   /// As a hand holds it: up to 10 degrees and 45 mm a second, a third nearer and farther.
   static ScopePath in_a_hand();
+  /// As fast as one is held: up to 30 degrees and 100 mm a second, between 60 and 180 mm from what is 120 mm
+  /// away.
+  static ScopePath in_a_fast_hand();
   /// @throws InputError naming the option.
   void validate() const;
 };
@@ -114,6 +122,15 @@ class Theatre {
   /// From now on the camera moves so. Truths and pictures are in the camera's frame of their moment.
   /// @throws InputError naming the option.
   void move_scope(const ScopePath& path);
+  /// From now on a tool is used so. What it does to the organ is an equilibrium of the same mesh, law and
+  /// loads with springs at its tip; breath and heartbeat are added. A way of zero: no tool.
+  /// @param context cancel. @return false: cancelled, and nothing has changed.
+  /// @throws InputError naming the option; NumericalError the organ cannot be taken so far.
+  bool use_tool(const ToolUse& use, const RunContext& context);
+  /// Where the tool touches the organ in a frame, left camera's frame, metres, also while it is away; empty:
+  /// no tool. Newton: what it pulls with at the end of its way.
+  std::optional<Eigen::Vector3d> tool_touches(int frame) const;
+  double tool_force_n() const;
   const TetMesh& mesh() const;         ///< rest shape, CT frame
   const Landmarks& landmarks() const;  ///< the patient's, completed; CT frame, rest
   const std::vector<Target>& targets() const;
