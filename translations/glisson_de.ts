@@ -9559,6 +9559,10 @@
         <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil; pulled: zwei Organe jeder Art.</translation>
     </message>
     <message>
+        <source>%1: follow a scope in a fast hand, tools that lift and press, and 3,000 frames, too.</source>
+        <translation>%1: folgt auch einem Laparoskop in schneller Hand, Werkzeugen, die heben und drücken, und 3.000 Bildern.</translation>
+    </message>
+    <message>
         <source>%1: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
         <translation>%1: behält, was DIR/registration_SEED.csv von einem abgebrochenen Lauf schon enthält.</translation>
     </message>

@@ -9559,6 +9559,10 @@
         <translation>registration : deux patients de chaque ensemble et une seule part visible ; pulled : deux organes de chaque sorte.</translation>
     </message>
     <message>
+        <source>%1: follow a scope in a fast hand, tools that lift and press, and 3,000 frames, too.</source>
+        <translation>%1 : suit aussi un laparoscope tenu d’une main rapide, des outils qui soulèvent et appuient, et 3 000 images.</translation>
+    </message>
+    <message>
         <source>%1: keep what DIR/registration_SEED.csv holds of a run that was cut short.</source>
         <translation>%1 : garde ce que DIR/registration_SEED.csv contient d’une exécution interrompue.</translation>
     </message>

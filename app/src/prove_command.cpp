@@ -43,7 +43,7 @@ bool takes(const experiments::Proof& proof, const char* option) {
 
 /// What would be left unread without a word, though the page would name it.
 void refuse_idle_options(const Arguments& arguments, const experiments::Proof& proof) {
-  for (const char* name : {"real-only", "development-only", "quick", "looks", "resume"})
+  for (const char* name : {"real-only", "development-only", "quick", "looks", "long", "resume"})
     if (!takes(proof, name))
       arguments.refuse_idle(QStringLiteral("glisson prove ") + QLatin1String(proof.name), {name});
 }
@@ -57,6 +57,7 @@ experiments::ProofChoices choices_of(const Arguments& arguments) {
   choices.development_only = arguments.has("development-only");
   choices.quick = arguments.has("quick");
   choices.looks = arguments.has("looks");
+  choices.long_films = arguments.has("long");
   if (arguments.has("resume")) choices.former = arguments.required_path("out");
   choices.built_in = ui::built_in_atlas;
   return choices;
@@ -107,6 +108,9 @@ void declare_prove(Arguments& arguments) {
                  Cli::tr("%1: only whether one more look helps, where it is said to help most and joined "
                          "from an unknown place.")
                      .arg(proof_names("looks")));
+  arguments.flag(
+      "long", Cli::tr("%1: follow a scope in a fast hand, tools that lift and press, and 3,000 frames, too.")
+                  .arg(proof_names("long")));
   arguments.flag("resume",
                  Cli::tr("%1: keep what DIR/registration_SEED.csv holds of a run that was cut short.")
                      .arg(proof_names("resume")));

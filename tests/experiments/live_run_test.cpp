@@ -98,6 +98,7 @@ void LiveRunTest::TheTissueMoves() {
   QVERIFY(moved(stage_.standing) > 1e-3 && moved(stage_.standing) < 10e-3);
   QVERIFY(moved(stage_.held) > moved(stage_.standing));
   QVERIFY(moved(stage_.lifted) > 1e-3 && moved(stage_.cut) > 1e-3);
+  QVERIFY(moved(stage_.fast) > moved(stage_.standing));
   QVERIFY(*stage_.standing.film.front().left.bytes != *stage_.standing.film.back().left.bytes);
 }
 

@@ -222,8 +222,9 @@ void LiveTallyTest::EveryFaultIsNamedOnceAndShowsItself() {
   std::set<std::string> names;
   for (const LiveFault& fault : live_faults(small_rig(), kOnset, kFrames - 1, 1)) {
     QVERIFY2(names.insert(fault.name).second, fault.name.c_str());
-    const bool shows_another_film =
-        fault.scope_moves || fault.is_lifted || fault.is_cut || fault.other_patient;
+    const bool shows_another_film = fault.scope_moves || fault.is_lifted || fault.is_cut ||
+                                    fault.other_patient || fault.scope_is_fast || fault.tool_lifts ||
+                                    fault.tool_presses;
     const bool starts_elsewhere = !fault.start_turn.isIdentity() || !fault.start_shift.isZero() ||
                                   fault.start_lift != 0.0 || !fault.drift.isZero() || fault.calibration;
     QVERIFY2(fault.show || shows_another_film || starts_elsewhere || fault.name == "none",
@@ -242,8 +243,9 @@ void LiveTallyTest::WhatComesIntoEveryOperationIsNoFault() {
   std::set<std::string> sound;
   for (const LiveFault& fault : live_faults(small_rig(), 10, 29, 1))
     if (fault.is_sound) sound.insert(fault.name);
-  QCOMPARE(sound, (std::set<std::string>{"none", "scope_moves", "scope_moves_15fps", "tool", "blood_ramp",
-                                         "drops", "flicker", "lossy", "stutter"}));
+  QCOMPARE(sound, (std::set<std::string>{"none", "scope_moves", "scope_moves_15fps", "scope_fast",
+                                         "tool_lifts", "tool_presses", "tool", "blood_ramp", "drops",
+                                         "flicker", "lossy", "stutter"}));
 }
 
 void LiveTallyTest::AFaultThatNoStageCouldShowIsTold() {
@@ -256,6 +258,9 @@ void LiveTallyTest::AFaultThatNoStageCouldShowIsTold() {
       (void)untried.can_try(stage, fault);
     return untried.names();
   };
+  QCOMPARE(try_all(), (std::vector<std::string>{"scope_fast", "tool_lifts", "tool_presses", "another_patient",
+                                                "lifted_30mm", "cut_gapes_15mm"}));
+  stage.fast = stage.tool_lifts = stage.tool_presses = stage.standing;
   QCOMPARE(try_all(), (std::vector<std::string>{"another_patient", "lifted_30mm", "cut_gapes_15mm"}));
   stage.other = stage.standing;  // of the next stage
   QCOMPARE(try_all(), (std::vector<std::string>{"lifted_30mm", "cut_gapes_15mm"}));

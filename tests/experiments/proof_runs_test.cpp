@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "atlas_proof.h"
+#include "following_proof.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "landmark_effect.h"
@@ -53,6 +54,7 @@ class ProofRunsTest : public QObject {
   void AnAtlasForetellsLivers();
   void LandmarksOfEachSourceAreRegistered();
   void TheOverlayStaysWithoutAFault();
+  void AFastScopeIsFollowed();
   void APatientGoesFromTheCtToTheModel();
   void LooksAreHeldAgainstTheTruth();
   void ARegistrationsTrialsThatAreThereAreNotMadeAgain();
@@ -124,6 +126,25 @@ void ProofRunsTest::TheOverlayStaysWithoutAFault() {
   QCOMPARE(std::ranges::count(frames, '\n'), 1 + 59);
   QVERIFY(read_file(folder.path() / "live.txt").find("none") != std::string::npos);
   QVERIFY(read_file(folder.path() / "lesions.csv").find(",none,") != std::string::npos);
+}
+
+/// A film for each thing that hands do is filmed and followed; one is looked at here.
+void ProofRunsTest::AFastScopeIsFollowed() {
+  const TemporaryFolder folder;
+  FollowingProofOptions options;
+  options.frames = options.long_frames = 60;
+  options.only = "fast";
+  const auto proof = prove_following(options, folder.path(), RunContext());
+  QVERIFY(proof);
+  QCOMPARE(proof->table.size(), std::size_t{2});
+  QCOMPARE(proof->figures.at("following_fast_shown_share"), 1.0);
+  QVERIFY(proof->figures.at("following_fast_tre_mm") < 1.0);
+  QVERIFY(proof->figures.at("following_fast_of_motion_share") < 0.5);
+  QCOMPARE(proof->figures.at("following_far_shown_frames"), 0.0);
+  const std::string frames = read_file(folder.path() / "following.csv");
+  QCOMPARE(std::ranges::count(frames, '\n'), 1 + 59);
+  options.frames = 10;
+  QVERIFY_THROWS_EXCEPTION(InputError, options.validate());
 }
 
 void ProofRunsTest::APatientGoesFromTheCtToTheModel() {

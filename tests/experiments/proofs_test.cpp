@@ -52,9 +52,11 @@ void ProofsTest::ThePageSaysHowItIsMeasuredAgain() {
   choices.former = "cut_short";  // says nothing of what is measured
   QCOMPARE(page_of(proof, choices, {}).command, std::string("glisson prove registration --seed 1"));
   choices.real_only = choices.development_only = choices.quick = choices.looks = true;
+  choices.long_films = true;
   choices.seed = 7;
   QCOMPARE(page_of(proof, choices, {}).command,
-           std::string("glisson prove registration --real-only --development-only --quick --looks --seed 7"));
+           std::string(
+               "glisson prove registration --real-only --development-only --quick --looks --long --seed 7"));
 }
 
 void ProofsTest::ThePageSaysOnWhomLimitsWereSet() {

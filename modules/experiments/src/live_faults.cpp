@@ -376,17 +376,27 @@ LiveFault jump(const char* name, int onset, int dark) {
 
 }  // namespace
 
+std::vector<LiveFault> handled_films() {
+  std::vector<LiveFault> films(1);
+  films.front().name = "none";
+  films.front().is_sound = true;
+  const LiveFault still = films.front();
+  const auto add = [&](const char* name, bool LiveFault::*what, int every) {
+    films.push_back(still);
+    films.back().name = name;
+    films.back().*what = true;
+    films.back().every = every;
+  };
+  add("scope_moves", &LiveFault::scope_moves, 1);
+  add("scope_moves_15fps", &LiveFault::scope_moves, 2);
+  add("scope_fast", &LiveFault::scope_is_fast, 1);
+  add("tool_lifts", &LiveFault::tool_lifts, 1);
+  add("tool_presses", &LiveFault::tool_presses, 1);
+  return films;
+}
+
 std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, std::uint64_t seed) {
-  std::vector<LiveFault> faults(1);
-  faults.front().name = "none";
-  faults.front().is_sound = true;
-  LiveFault held = faults.front();
-  held.name = "scope_moves";
-  held.scope_moves = true;
-  faults.push_back(held);
-  held.name = "scope_moves_15fps";
-  held.every = 2;
-  faults.push_back(held);
+  std::vector<LiveFault> faults = handled_films();
   add_starts(faults);
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);

@@ -31,8 +31,9 @@ struct LiveFault {
   /// The calibration that the program is given instead of the true one; empty: the true one.
   std::function<StereoRig(const StereoRig&)> calibration;
   /// The film is another one: of a laparoscope in a hand, of an organ that is lifted or cut, of another
-  /// patient.
+  /// patient, of a laparoscope in a fast hand, of an organ that a tool takes along.
   bool scope_moves = false, is_lifted = false, is_cut = false, other_patient = false;
+  bool scope_is_fast = false, tool_lifts = false, tool_presses = false;
   bool is_mirrored = false;  ///< what is shown is the organ's mirror image: any overlay on it is wrong
   bool is_sound = false;     ///< not a fault: a right overlay is to stay
   int every = 1;             ///< only each second (third ...) frame arrives
@@ -42,6 +43,8 @@ struct LiveFault {
   int swapped_from = -1;
 };
 
+/// Those without a fault in which laparoscope or organ are moved by hands, the first of them none.
+std::vector<LiveFault> handled_films();
 /// All of the table, the first of them none.
 /// @param onset the frame from which `show` differs; ramps end at `last`.
 std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, std::uint64_t seed);

@@ -81,6 +81,9 @@ class Shown {
     if (fault_.other_patient) return stage_.other;
     if (fault_.is_lifted) return stage_.lifted;
     if (fault_.is_cut) return stage_.cut;
+    if (fault_.scope_is_fast) return stage_.fast;
+    if (fault_.tool_lifts) return stage_.tool_lifts;
+    if (fault_.tool_presses) return stage_.tool_presses;
     const bool held = fault_.scope_moves || (fault_.elsewhere_from >= 0 && k >= fault_.elsewhere_from);
     return held ? stage_.held : stage_.standing;
   }
@@ -120,7 +123,10 @@ bool JudgedFrame::shown_before() const {
 
 bool can_run(const LiveStage& stage, const LiveFault& fault) {
   return (!fault.other_patient || stage.other.film.size() >= stage.standing.film.size()) &&
-         (!fault.is_lifted || !stage.lifted.film.empty()) && (!fault.is_cut || !stage.cut.film.empty());
+         (!fault.is_lifted || !stage.lifted.film.empty()) && (!fault.is_cut || !stage.cut.film.empty()) &&
+         (!fault.scope_is_fast || !stage.fast.film.empty()) &&
+         (!fault.tool_lifts || !stage.tool_lifts.film.empty()) &&
+         (!fault.tool_presses || !stage.tool_presses.film.empty());
 }
 
 std::vector<JudgedFrame> run_live(const LiveStage& stage, const LiveFault& fault, int onset) {

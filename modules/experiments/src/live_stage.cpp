@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_stage.h"
 
+#include <utility>
+
 #include "glisson/experiments/synthetic_model.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/model/build.h"
@@ -36,9 +38,20 @@ Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunCo
   LiveStage stage;
   stage.model = std::move(synthetic->model);
   stage.rig = (*theatre)->rig();
-  if (!film(**theatre, stage.standing, context.part(0.6, 0.8))) return std::nullopt;
-  (*theatre)->move_scope(insilico::ScopePath::in_a_hand());
-  if (!film(**theatre, stage.held, context.part(0.8, 1.0))) return std::nullopt;
+  if (!film(**theatre, stage.standing, context.part(0.6, 0.68))) return std::nullopt;
+  for (const auto& [use, filmed] : {std::pair{insilico::ToolUse::lifts(), &stage.tool_lifts},
+                                    {insilico::ToolUse::presses(), &stage.tool_presses}}) {
+    insilico::ToolUse seeded = use;
+    seeded.seed = seed;
+    if (!(*theatre)->use_tool(seeded, context.quiet()) || !film(**theatre, *filmed, context.part(0.68, 0.76)))
+      return std::nullopt;
+  }
+  (*theatre)->use_tool({}, context.quiet());
+  for (const auto& [path, filmed] : {std::pair{insilico::ScopePath::in_a_hand(), &stage.held},
+                                     {insilico::ScopePath::in_a_fast_hand(), &stage.fast}}) {
+    (*theatre)->move_scope(path);
+    if (!film(**theatre, *filmed, context.part(0.84, 0.92))) return std::nullopt;
+  }
   stage.start = (*theatre)->carry(stage.model.mesh.vertices, 0);
   const auto& targets = (*theatre)->targets();
   stage.targets_in_model.resize(static_cast<Eigen::Index>(targets.size()), 3);

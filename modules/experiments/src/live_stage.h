@@ -23,10 +23,12 @@ struct LiveStage {
   Filmed standing, held;
   Filmed lifted;  ///< a part of the organ is lifted by 30 mm in the second second; empty: not filmed
   Filmed cut;     ///< a cut gapes by 15 mm in the second second; empty: not filmed
-  Filmed other;   ///< another patient's, by the same laparoscope; empty: none
-  Points start;   ///< the model's nodes where they truly are in the first frame
-  Points targets_in_model;     ///< the lesions' centres, in the model's frame
-  std::vector<Label> lesions;  ///< of the targets; empty: the model has no lesions there
+  Filmed fast;    ///< by one in a fast hand
+  Filmed tool_lifts, tool_presses;  ///< a tool takes a place of the organ along; empty: not filmed
+  Filmed other;                     ///< another patient's, by the same laparoscope; empty: none
+  Points start;                     ///< the model's nodes where they truly are in the first frame
+  Points targets_in_model;          ///< the lesions' centres, in the model's frame
+  std::vector<Label> lesions;       ///< of the targets; empty: the model has no lesions there
 };
 
 /// A synthetic patient in the theatre. Empty: cancelled.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "atlas_proof.h"
+#include "following_proof.h"
 #include "glisson/core/marked_text.h"
 #include "live_proof.h"
 #include "patient_proof.h"
@@ -72,7 +73,19 @@ Cancellable<Proven> run_live(const ProofChoices& choices, const fs::path& folder
   LiveProofOptions options;
   options.seeds = live_seeds(choices);
   options.data = choices.data;
-  return proven_of(prove_live(options, folder, context));
+  const bool is_longer = choices.long_films && !options.seeds.empty();
+  auto found = proven_of(prove_live(options, folder, context.part(0.0, is_longer ? 0.5 : 1.0)));
+  if (!found || !is_longer) return found;
+  FollowingProofOptions following;
+  following.seed = options.seeds.front();
+  const auto followed = prove_following(following, folder, context.part(0.5, 1.0));
+  if (!followed) return {};
+  found->figures.insert(followed->figures.begin(), followed->figures.end());
+  for (std::vector<std::string>* table : {&found->table, &found->page_table}) {
+    table->emplace_back();
+    table->insert(table->end(), followed->table.begin(), followed->table.end());
+  }
+  return found;
 }
 
 Cancellable<Proven> run_registration(const ProofChoices& choices, const fs::path& folder,
@@ -127,7 +140,7 @@ constexpr Proof kProofs[] = {
      "liver tissue (for development) and of a silicone heart (for validation) that are set in motion in a "
      "known way: real texture and lens, simulated motion. A tool, blood, drops, a lamp that flickers, a "
      "lossy or stuttering video and a scope in a hand are no faults: a right overlay is to stay.",
-     whom_live, live_aims, "real-only", run_live},
+     whom_live, live_aims, "real-only long", run_live},
     {"pulled", QT_TRANSLATE_NOOP("cli", "Bare organs that are pulled at a few places"),
      "Neo-Hookean organs (in silico) that are held somewhere and pulled or pressed at one to three places, "
      "with clouds of 500 points of a fifth of the surface: registered from rest and followed. Of loose ones "
@@ -166,7 +179,8 @@ ProofPage page_of(const Proof& proof, const ProofChoices& choices, const Proven&
     page.introduction += " " + whom;
   page.command = std::string("glisson prove ") + proof.name + (choices.real_only ? " --real-only" : "") +
                  (choices.development_only ? " --development-only" : "") + (choices.quick ? " --quick" : "") +
-                 (choices.looks ? " --looks" : "") + " --seed " + std::to_string(choices.seed);
+                 (choices.looks ? " --looks" : "") + (choices.long_films ? " --long" : "") + " --seed " +
+                 std::to_string(choices.seed);
   page.aims = proof.aims();
   page.figures = found.figures;
   page.absent = found.absent;

@@ -30,6 +30,7 @@ struct ProofChoices {
   bool development_only = false;  ///< no validation patients
   bool quick = false;             ///< few trials
   bool looks = false;             ///< of registration: whether one more look helps, and nothing else
+  bool long_films = false;        ///< of live: follows what hands do, too, and 3,000 frames
   /// Of registration: what this folder of a run that was cut short holds is kept. Empty: none.
   std::filesystem::path former;
   /// The atlas that comes with the program; called by the proof that needs it.
@@ -54,7 +55,8 @@ struct Proof {
   /// What the introduction ends with: whether limits were set on those who are measured. Null: nothing.
   std::string (*whom)(const ProofChoices& choices);
   const std::vector<Aim>& (*aims)();  ///< that it is measured against
-  /// Of real-only, development-only, quick, looks and resume (ProofChoices::former) those that it takes.
+  /// Of real-only, development-only, quick, looks, long and resume (ProofChoices::former) those that it
+  /// takes.
   std::string_view takes;
   /// Minutes to hours. Leaves what is worth a look in `folder`, which exists. Empty: cancelled; what was
   /// finished is there.
