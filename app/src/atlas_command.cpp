@@ -39,6 +39,10 @@ void say_left_out(const atlas::BuildResult& built) {
                        .arg(mm(left.mean_distance));
     for (const auto& [structure, found] : left.structures)
       line += QStringLiteral(", %1 %2").arg(ui::landmark_text(structure), mm(found.mean_error));
+    QStringList known;
+    for (const auto& [structure, found] : left.with_notch)
+      known << QStringLiteral("%1 %2").arg(ui::landmark_text(structure), mm(found.mean_error));
+    if (!known.isEmpty()) line += Cli::tr("; with its notch known: %1").arg(known.join(QStringLiteral(", ")));
     say(line);
   }
 }
@@ -114,15 +118,22 @@ void show_atlas(const Arguments& arguments, Session& session) {
           .arg(shown->members.size())
           .arg(shown->shape.mean.rows())
           .arg(shown->shape.mode_count()));
+  bool follows = false;
   for (const atlas::StructureStatistics& one : shown->structures) {
     const double deviation = atlas::deviation(one);
-    say(Cli::tr("%1: from %2 livers (%3), %4 mm")
-            .arg(ui::landmark_text(one.structure))
-            .arg(one.livers())
-            .arg(QString::fromStdString(one.origin), mm(deviation)));
+    QString line = Cli::tr("%1: from %2 livers (%3), %4 mm")
+                       .arg(ui::landmark_text(one.structure))
+                       .arg(one.livers())
+                       .arg(QString::fromStdString(one.origin), mm(deviation));
+    QStringList others;
+    for (const atlas::Dependence& other : one.depends) others << ui::landmark_text(other.on);
+    if (!others.isEmpty()) line += Cli::tr("; follows: %1").arg(others.join(QStringLiteral(", ")));
+    follows = follows || !others.isEmpty();
+    say(line);
     session.figures[std::string("atlas_") + atlas::structure_code(one.structure) + "_deviation_mm"] =
         1e3 * deviation;
   }
+  if (!follows) say(Cli::tr("No landmark follows another: this atlas does not know how they depend."));
   for (const atlas::AtlasMember& member : shown->members)
     if (member.weight < 1.0)
       say(Cli::tr("%1 differs from the others: weight %2")

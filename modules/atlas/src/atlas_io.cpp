@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
 #include "glisson/atlas/atlas.h"
@@ -24,6 +26,7 @@ constexpr int kVersion = 1;
 constexpr const char* kFormat = "glisson-atlas";
 constexpr const char *kSheetFile = "atlas.json", *kMeanFile = "mean.vtp";
 constexpr double kMm = 1e3;
+constexpr double kRounding = 1e-8;  // m2, of three decimals in mm2, and more than that
 
 std::string mode_name(Eigen::Index k) { return "mode_" + std::to_string(k + 1); }
 std::string share_name(Structure structure) { return std::string("share_") + structure_code(structure); }
@@ -115,6 +118,32 @@ class Sheet {
   std::string file_, path_;
 };
 
+json nine_a_row(const std::vector<Eigen::Matrix3d>& matrices) {
+  json list = json::array();
+  for (const Eigen::Matrix3d& matrix : matrices) {
+    json nine = json::array();
+    for (const json& row : rows(matrix, 1.0)) nine.insert(nine.end(), row.begin(), row.end());
+    list.push_back(nine);
+  }
+  return list;
+}
+json six_a_row(const std::vector<Eigen::Matrix3d>& squares) {
+  json list = json::array();
+  for (const Eigen::Matrix3d& square : squares) list.push_back(rows(symmetric_row(square), kMm * kMm)[0]);
+  return list;
+}
+
+json sheets_of(const std::vector<Dependence>& depends) {
+  json list = json::array();
+  for (const Dependence& one : depends)
+    list.push_back({{"on", structure_code(one.on)},
+                    {"point", one.point},
+                    {"livers", one.livers},
+                    {"gains", nine_a_row(one.gains)},
+                    {"left_mm2", six_a_row(one.left)}});
+  return list;
+}
+
 json sheet_of(const StructureStatistics& one) {
   json residuals = json::array();
   for (const Points& residual : one.residuals) residuals.push_back(rows(residual, kMm));
@@ -126,12 +155,10 @@ json sheet_of(const StructureStatistics& one) {
                 {"residuals_mm", residuals},
                 {"added_deviation_mm", kMm * one.added_deviation},
                 {"added_unusual", one.added_unusual}};
+  if (!one.depends.empty()) sheet["depends"] = sheets_of(one.depends);
   if (one.summed_livers == 0) return sheet;
-  json squares = json::array();
-  for (const Eigen::Matrix3d& square : one.summed)
-    squares.push_back(rows(symmetric_row(square), kMm * kMm)[0]);
   sheet["summed_livers"] = one.summed_livers;
-  sheet["summed_mm2"] = squares;
+  sheet["summed_mm2"] = six_a_row(one.summed);
   return sheet;
 }
 
@@ -146,6 +173,31 @@ void take_summed(const Sheet& sheet, Eigen::Index count, StructureStatistics& on
     if (!(one.summed.back().diagonal().minCoeff() > 0.0))
       sheet.fail("summed_mm2", "holds no squares in its first three columns");
   }
+}
+
+/// @param of the structure that depends, and how many points it has
+Dependence dependence_of(const Sheet& sheet, Structure of, Eigen::Index count) {
+  Dependence one;
+  const auto on = structure_of(sheet.text("on"));
+  if (!on) sheet.fail("on", "is \"" + sheet.text("on") + "\", which is unknown");
+  if (*on == of) sheet.fail("on", "is the structure itself");
+  one.on = *on;
+  const double point = sheet.number("point"), livers = sheet.number("livers");
+  if (point != std::floor(point) || point < 0.0 || point >= point_count(*on))
+    sheet.fail("point", "is no point of that structure");
+  if (!(livers >= 3.0 && livers < 1e6)) sheet.fail("livers", "are fewer than 3");
+  one.point = static_cast<int>(point);
+  one.livers = static_cast<int>(livers);
+  const Eigen::MatrixXd gains = sheet.matrix(sheet.field("gains"), "gains", count, 9, 1.0),
+                        left = sheet.matrix(sheet.field("left_mm2"), "left_mm2", count, 6, kMm * kMm);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    Eigen::Matrix3d& gain = one.gains.emplace_back();
+    for (Eigen::Index i = 0; i < 9; ++i) gain(i / 3, i % 3) = gains(k, i);
+    one.left.push_back(symmetric_matrix(left.row(k)));
+    if (one.left.back().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -kRounding)
+      sheet.fail("left_mm2", "holds a matrix that is no covariance");
+  }
+  return one;
 }
 
 StructureStatistics statistics_of(const Sheet& sheet) {
@@ -169,7 +221,22 @@ StructureStatistics statistics_of(const Sheet& sheet) {
   one.added_deviation = sheet.number("added_deviation_mm") / kMm;
   if (sheet.has("added_unusual")) one.added_unusual = sheet.number("added_unusual");  // older ones have none
   if (one.added_unusual < 1.0) sheet.fail("added_unusual", "is below 1");
+  if (!sheet.has("depends")) return one;  // of a former edition, or it follows nothing
+  for (const Sheet& other : sheet.list("depends"))
+    one.depends.push_back(dependence_of(other, one.structure, count));
   return one;
+}
+
+/// Each on a structure that is there, and on none twice.
+void check_dependences(const Atlas& atlas, const Sheet& sheet) {
+  for (const StructureStatistics& of : atlas.structures) {
+    std::set<Structure> known;
+    for (const Dependence& one : of.depends) {
+      const std::string key = std::string("structures.") + structure_code(of.structure) + ".depends";
+      if (atlas.find(one.on) == nullptr) sheet.fail(key.c_str(), "name a structure that is not there");
+      if (!known.insert(one.on).second) sheet.fail(key.c_str(), "name a structure twice");
+    }
+  }
 }
 
 TriangleFile surface_of(const Atlas& atlas) {
@@ -298,6 +365,7 @@ Atlas read_atlas(const fs::path& given) {
     atlas.structures.push_back(std::move(known));
   }
   if (atlas.structures.empty()) sheet.fail("structures", "holds none");
+  check_dependences(atlas, sheet);
   const json& variances = sheet.field("variances_mm2");
   if (!variances.is_array()) sheet.fail("variances_mm2", "is not a list");
   atlas.shape.variances.resize(static_cast<Eigen::Index>(variances.size()));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -53,6 +55,7 @@ class Builder {
     if (options_.keep_shape ? !lay_on_base() : !make_shape()) return {};
     find_places();
     for (const Structure structure : kStructures) add(structure);
+    depend();
     judge();
     if (options_.summed) forget_single_livers();
     return std::move(result_);
@@ -265,6 +268,18 @@ class Builder {
     result_.atlas.structures.push_back(std::move(statistics));
   }
 
+  /// What the members show of two structures together; of what was taken over from the base what that had.
+  void depend() {
+    std::vector<StructureStatistics*> own;
+    for (StructureStatistics& one : result_.atlas.structures)
+      if (result_.spreads.contains(one.structure))
+        own.push_back(&one);
+      else
+        std::erase_if(one.depends,
+                      [&](const Dependence& other) { return result_.spreads.contains(other.on); });
+    learn_dependences(own);
+  }
+
   static double spread_of(const std::vector<Observation>& observed) {
     Points middles(static_cast<Eigen::Index>(observed.size()), 3);
     for (std::size_t i = 0; i < observed.size(); ++i)
@@ -332,6 +347,7 @@ class Builder {
                    work.honest.folded,
                    work.unusual,
                    work.doubts,
+                   {},
                    {}};
       for (const StructureStatistics& statistics : result_.atlas.structures)
         // Of what was taken over the residuals are others', whatever their livers are called.
@@ -345,32 +361,64 @@ class Builder {
   }
 
   void judge(LeftOut& left, const Work& work, const StructureStatistics& statistics) const {
-    const auto known = work.truth.find(statistics.structure);
-    const auto number = std::find(statistics.members.begin(), statistics.members.end(), work.member.name);
-    if (known == work.truth.end() || number == statistics.members.end()) return;
-    const auto index = static_cast<int>(number - statistics.members.begin());
+    const int index = number_of(work, statistics);
+    if (index < 0) return;
     const Points& residual = statistics.residuals[static_cast<std::size_t>(index)];
-    const TriangleMesh mean = result_.atlas.mean();
-    const double size = size_of(mean.vertices);
-    const Points on_mean = points_at(work.places.at(statistics.structure), mean, size) - residual;
-    const TriangleMesh there{work.honest.vertices, base_.triangles};
-    const Points placed = points_at(places_of(mean, on_mean, size), there, size_of(there.vertices));
-    const Eigen::VectorXd errors = (placed - known->second).rowwise().norm();
-    LeftOutStructure found{errors.mean(), errors.maxCoeff(), 0.0, 0, static_cast<int>(errors.size()), 0.0};
-    double traces = 0.0;
-    for (int k = 0; k < found.points; ++k) {
-      const Eigen::Matrix3d spread = covariance(statistics, k, index);
-      const Eigen::Vector3d r = residual.row(k);
-      if (r.dot(spread.ldlt().solve(r)) <= kEllipsoid95) ++found.inside;
-      traces += spread.trace();
-    }
-    found.deviation = std::sqrt(traces / found.points);
+    LeftOutStructure found =
+        judged(work, statistics.structure, residual, [&](int k) { return covariance(statistics, k, index); });
     if (is_area(statistics.structure)) {
       const SetDistance apart = area_distance(work, statistics);
       found.area_distance = apart.mean;
       found.area_largest = apart.largest;
     }
     left.structures[statistics.structure] = found;
+    judge_with_notch(left, work, statistics, residual);
+  }
+
+  /// The same by one who knows where the notch lies on this liver, and what the others tell of the two.
+  void judge_with_notch(LeftOut& left, const Work& work, const StructureStatistics& statistics,
+                        const Points& residual) const {
+    const StructureStatistics* notch = result_.atlas.find(Structure::umbilical_notch);
+    if (notch == nullptr || notch == &statistics || !result_.spreads.contains(notch->structure)) return;
+    const int index = number_of(work, *notch);
+    const auto told = index < 0 || statistics.depends.empty()
+                          ? std::nullopt
+                          : dependence(statistics, *notch, 0, work.member.name);
+    if (!told) return;
+    const Eigen::Vector3d off = notch->residuals[static_cast<std::size_t>(index)].row(0);
+    Points rest = residual;
+    for (Eigen::Index k = 0; k < rest.rows(); ++k)
+      rest.row(k) -= (told->gains[static_cast<std::size_t>(k)] * off).transpose();
+    left.with_notch[statistics.structure] =
+        judged(work, statistics.structure, rest, [&](int k) { return covariance(statistics, *told, k); });
+  }
+
+  /// Which of the structure's residuals is this member's; -1: none.
+  static int number_of(const Work& work, const StructureStatistics& statistics) {
+    const auto number = std::find(statistics.members.begin(), statistics.members.end(), work.member.name);
+    const bool is_shown = work.truth.contains(statistics.structure) && number != statistics.members.end();
+    return is_shown ? static_cast<int>(number - statistics.members.begin()) : -1;
+  }
+
+  /// @param residual on the mean liver, metres @param spread_of a point's covariance there
+  LeftOutStructure judged(const Work& work, Structure structure, const Points& residual,
+                          const std::function<Eigen::Matrix3d(int)>& spread_of) const {
+    const TriangleMesh mean = result_.atlas.mean();
+    const double size = size_of(mean.vertices);
+    const Points on_mean = points_at(work.places.at(structure), mean, size) - residual;
+    const TriangleMesh there{work.honest.vertices, base_.triangles};
+    const Points placed = points_at(places_of(mean, on_mean, size), there, size_of(there.vertices));
+    const Eigen::VectorXd errors = (placed - work.truth.at(structure)).rowwise().norm();
+    LeftOutStructure found{errors.mean(), errors.maxCoeff(), 0.0, 0, static_cast<int>(errors.size()), 0.0};
+    double traces = 0.0;
+    for (int k = 0; k < found.points; ++k) {
+      const Eigen::Matrix3d spread = spread_of(k);
+      const Eigen::Vector3d r = residual.row(k);
+      if (r.dot(spread.ldlt().solve(r)) <= kEllipsoid95) ++found.inside;
+      traces += spread.trace();
+    }
+    found.deviation = std::sqrt(traces / found.points);
+    return found;
   }
 
   /// Between the contact as the others foretell it and as it is.

@@ -16,20 +16,17 @@ double deviation(const StructureStatistics& statistics) {
   return std::sqrt(traces / points);
 }
 
-Figures figures_of(const BuildResult& built) {
-  Figures figures;
-  const auto count = static_cast<double>(built.left_out.size());
-  figures["atlas_members"] = count;
-  figures["atlas_modes"] = built.quality.compactness_modes;
-  figures["atlas_generality_mm"] = 1e3 * built.quality.generality;
-  figures["atlas_specificity_mm"] = 1e3 * built.quality.specificity;
+namespace {
+
+using Judged = std::map<Structure, LeftOutStructure>;
+
+/// Of those that were judged, the liver by liver that `judged` gives.
+void add(Figures& figures, const BuildResult& built, const Judged LeftOut::*judged, const std::string& how) {
   std::map<Structure, std::vector<LeftOutStructure>> found;
-  for (const LeftOut& left : built.left_out) {
-    figures["atlas_surface_mean_mm"] += 1e3 * left.mean_distance / count;
-    for (const auto& [structure, one] : left.structures) found[structure].push_back(one);
-  }
+  for (const LeftOut& left : built.left_out)
+    for (const auto& [structure, one] : left.*judged) found[structure].push_back(one);
   for (const auto& [structure, all] : found) {
-    const std::string key = std::string("atlas_") + structure_code(structure);
+    const std::string key = std::string("atlas_") + structure_code(structure) + how;
     double inside = 0.0, points = 0.0;
     for (const LeftOutStructure& one : all) {
       figures[key + "_mean_mm"] += 1e3 * one.mean_error / static_cast<double>(all.size());
@@ -39,6 +36,21 @@ Figures figures_of(const BuildResult& built) {
     }
     figures[key + "_inside_share"] = inside / points;
   }
+}
+
+}  // namespace
+
+Figures figures_of(const BuildResult& built) {
+  Figures figures;
+  const auto count = static_cast<double>(built.left_out.size());
+  figures["atlas_members"] = count;
+  figures["atlas_modes"] = built.quality.compactness_modes;
+  figures["atlas_generality_mm"] = 1e3 * built.quality.generality;
+  figures["atlas_specificity_mm"] = 1e3 * built.quality.specificity;
+  for (const LeftOut& left : built.left_out)
+    figures["atlas_surface_mean_mm"] += 1e3 * left.mean_distance / count;
+  add(figures, built, &LeftOut::structures, "");
+  add(figures, built, &LeftOut::with_notch, "_with_notch");
   return figures;
 }
 

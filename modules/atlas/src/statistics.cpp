@@ -19,8 +19,6 @@ constexpr int kMembersAMode = 6;  // at least, for each of them
 constexpr double kRidge = 2.0;    // prior of the slopes, in members
 /// Below this nothing is known: correspondence and marks have errors of their own (metres).
 constexpr double kLeastDeviation = 0.001;
-/// Weight of an even ellipsoid beside the residuals', in members: few residuals leave directions without any.
-constexpr double kEven = 2.0;
 
 /// 95 % of Fisher's F with 3 and n degrees of freedom (Abramowitz and Stegun, table 26.9), linear in 1 / n.
 double fisher95(double n) {
@@ -131,6 +129,29 @@ Points predicted(const StructureStatistics& statistics, const Eigen::VectorXd& m
   return points;
 }
 
+namespace {
+
+/// Of n residuals' sum of squares, with what is added.
+Eigen::Matrix3d widened(const StructureStatistics& statistics, const Eigen::Matrix3d& sum, int n,
+                        double growth) {
+  const Eigen::Matrix3d even = Eigen::Matrix3d::Identity() * (sum.trace() / (3.0 * n));
+  const Eigen::Matrix3d own = (sum + kEvenMembers * even) / (n + kEvenMembers);
+  // A new residual's T^2 with the covariance of n others about a known mean is 3 n / (n - 2) F(3, n - 2).
+  const double degrees = std::max(1.0, n + kEvenMembers - 2.0);
+  const double widening = 3.0 * (n + kEvenMembers) / degrees * fisher95(degrees) / kEllipsoid95;
+  const double beyond = std::max(1.0, growth / statistics.added_unusual);
+  const double added = statistics.added_deviation * beyond;
+  if (added == 0.0) growth = beyond;  // the members are the livers that it was set on
+  const double even_part = added * added + growth * growth * kLeastDeviation * kLeastDeviation;
+  return growth * growth * widening * own + even_part * Eigen::Matrix3d::Identity();
+}
+
+}  // namespace
+
+Eigen::Matrix3d covariance(const StructureStatistics& of, const Dependence& on, int point, double growth) {
+  return widened(of, on.livers * on.left[static_cast<std::size_t>(point)], on.livers, growth);
+}
+
 Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out, double growth) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   int n = 0;
@@ -145,16 +166,7 @@ Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int
     sum = n * statistics.summed[static_cast<std::size_t>(point)];
   }
   require(n >= 1, "a covariance needs residuals");
-  const Eigen::Matrix3d even = Eigen::Matrix3d::Identity() * (sum.trace() / (3.0 * n));
-  const Eigen::Matrix3d own = (sum + kEven * even) / (n + kEven);
-  // A new residual's T^2 with the covariance of n others about a known mean is 3 n / (n - 2) F(3, n - 2).
-  const double degrees = std::max(1.0, n + kEven - 2.0);
-  const double widening = 3.0 * (n + kEven) / degrees * fisher95(degrees) / kEllipsoid95;
-  const double beyond = std::max(1.0, growth / statistics.added_unusual);
-  const double added = statistics.added_deviation * beyond;
-  if (added == 0.0) growth = beyond;  // the members are the livers that it was set on
-  const double even_part = added * added + growth * growth * kLeastDeviation * kLeastDeviation;
-  return growth * growth * widening * own + even_part * Eigen::Matrix3d::Identity();
+  return widened(statistics, sum, n, growth);
 }
 
 std::vector<int> area_vertices(const Eigen::VectorXd& share) {

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "glisson/atlas/atlas.h"
 
 namespace glisson::atlas {
+
+/// Weight of an even covariance beside the residuals', in members: few residuals leave directions without
+/// any.
+inline constexpr double kEvenMembers = 2.0;
 
 /// A structure as one member shows it.
 struct Observation {
@@ -17,8 +25,19 @@ struct Observation {
 /// members left out. @pre three observations at least
 void observe(StructureStatistics& statistics, const std::vector<Observation>& observed);
 
+/// What a point of another structure tells of this one: their joint covariance over the members' residuals,
+/// with an even one of kEvenMembers' weight as in covariance(), conditioned on that point; and of its word
+/// the share that leaves the least on members left out (stacked regressions; Breiman 1996). Empty: too few
+/// members show both, or it tells nothing.
+/// @param without a member that has no part in it; empty: none.
+std::optional<Dependence> dependence(const StructureStatistics& of, const StructureStatistics& on, int point,
+                                     const std::string& without = {});
+/// Gives each of these, of each of the others, the point that tells most of it. What has an added deviation
+/// gets and gives none: its members do not show how patients differ, still less how structures do together.
+void learn_dependences(const std::vector<StructureStatistics*>& structures);
+
 /// Keeps of the residuals their mean square alone, and of the members their number. What the slopes explain
-/// stays.
+/// and what others tell stays.
 void sum_up(StructureStatistics& statistics);
 
 /// The structure on the mean liver for a shape of these modes (over their deviations).

@@ -24,6 +24,17 @@ struct MeanFrame {
   static constexpr const char* kName = "mean";
 };
 
+/// What one point of another structure tells of a structure: where that one lies d off from where it is
+/// expected (mean's frame, metres), this one's k-th point is expected gains[k] d off.
+struct Dependence {
+  Structure on = Structure::umbilical_notch;
+  int point = 0;                       ///< of `on`
+  int livers = 0;                      ///< that show both
+  std::vector<Eigen::Matrix3d> gains;  ///< one a point
+  /// Of what the other one leaves, on livers that had no part in it: mean squares, one matrix a point, m2.
+  std::vector<Eigen::Matrix3d> left;
+};
+
 /// Where a structure lies on the mean liver, and how far from there it was found on livers that had no part
 /// in the prediction. K = point_count(structure).
 struct StructureStatistics {
@@ -45,6 +56,8 @@ struct StructureStatistics {
   /// How unusual (over Atlas::usual) the livers were that it was set on: only beyond that it grows with what
   /// is doubted of a shape; where nothing is added, so do the members' own deviations. 1: as the members.
   double added_unusual = 1.0;
+  /// What others tell of it, at most one point of each. None: it does not follow, or nobody knows.
+  std::vector<Dependence> depends;
   /// Areas: for each vertex of the mean the share of members whose area it belongs to.
   Eigen::VectorXd share;
 
@@ -88,6 +101,10 @@ double unusual(const ShapeModel& model, const PointsIn<MeanFrame>& shape);
 Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1,
                            double growth = 1.0);
 
+/// The same once the place of what it depends on is known exactly. @param of the one that depends
+Eigen::Matrix3d covariance(const StructureStatistics& of, const Dependence& on, int point,
+                           double growth = 1.0);
+
 /// Root of the mean trace of the covariances of a structure's points, metres.
 double deviation(const StructureStatistics& statistics);
 
@@ -109,6 +126,8 @@ struct LeftOut {
   double unusual = 0.0;  ///< as AtlasMember::unusual
   std::vector<std::string> doubts;
   std::map<Structure, LeftOutStructure> structures;
+  /// Those that depend on the notch, foretold with the liver's own notch known (without the area).
+  std::map<Structure, LeftOutStructure> with_notch;
 };
 /// How good a shape model is (Styner 2003), metres.
 struct ModelQuality {
@@ -129,7 +148,8 @@ struct BuildResult {
 };
 
 /// `atlas_...`: how many livers and modes, the model's quality, and how far off each structure was on a liver
-/// that had no part in its prediction (mean and worst, mm; share of points in their 95 % ellipsoids).
+/// that had no part in its prediction (mean and worst, mm; share of points in their 95 % ellipsoids);
+/// `atlas_..._with_notch_...`: likewise with that liver's own notch known.
 Figures figures_of(const BuildResult& built);
 
 /// How an atlas is built.
