@@ -56,6 +56,26 @@
         <translation>von Hand gesetzt</translation>
     </message>
     <message>
+        <source>follows the notch as the portal vein shows it</source>
+        <translation>folgt der Nabelkerbe, wie die Pfortader sie zeigt</translation>
+    </message>
+    <message>
+        <source>follows what the CT shows (%1)</source>
+        <translation>folgt dem, was das CT zeigt (%1)</translation>
+    </message>
+    <message>
+        <source>follows the notch that you placed</source>
+        <translation>folgt der Nabelkerbe, die Sie gesetzt haben</translation>
+    </message>
+    <message>
+        <source>follows what you placed (%1)</source>
+        <translation>folgt dem, was Sie gesetzt haben (%1)</translation>
+    </message>
+    <message>
+        <source>%1 on %2 % of its course</source>
+        <translation>%1, auf %2 % des Verlaufs</translation>
+    </message>
+    <message>
         <source>%1; drawn to where the portal vein&apos;s umbilical part shows it</source>
         <translation>%1; dorthin gezogen, wo die Pars umbilicalis der Pfortader sie zeigt</translation>
     </message>
@@ -4344,6 +4364,22 @@
         <translation>nennen eine Struktur zweimal</translation>
     </message>
     <message>
+        <source>name a structure that is not there</source>
+        <translation>nennen eine Struktur, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is the structure itself</source>
+        <translation>ist die Struktur selbst</translation>
+    </message>
+    <message>
+        <source>is no point of that structure</source>
+        <translation>ist kein Punkt dieser Struktur</translation>
+    </message>
+    <message>
+        <source>needs nine numbers a point</source>
+        <translation>braucht neun Zahlen je Punkt</translation>
+    </message>
+    <message>
         <source>entry %1 holds something that is not a number</source>
         <translation>Eintrag %1 enthält etwas, das keine Zahl ist</translation>
     </message>
@@ -6653,6 +6689,14 @@
     <message>
         <source>%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.</source>
         <translation>%1: Das Bild zeigt es %2 mm von dort, wo der Atlas es erwartet. Prüfen Sie die Segmentierung.</translation>
+    </message>
+    <message>
+        <source>%1: by the portal vein it lies %2 mm from where it was placed by hand. Check both.</source>
+        <translation>%1: Nach der Pfortader liegt es %2 mm von dort, wo es von Hand gesetzt wurde. Prüfen Sie beides.</translation>
+    </message>
+    <message>
+        <source>This atlas does not know how one landmark depends on another: none follows what was placed by hand.</source>
+        <translation>Dieser Atlas weiß nicht, wie Landmarken voneinander abhängen: Keine folgt dem, was von Hand gesetzt wurde.</translation>
     </message>
     <message>
         <source>The segmented portal vein does not show the umbilical part of its left branch: notch and falciform ligament come from statistics. Is the left branch there?</source>
@@ -9341,6 +9385,18 @@
     <message>
         <source>%1: from %2 livers (%3), %4 mm</source>
         <translation>%1: aus %2 Lebern (%3), %4 mm</translation>
+    </message>
+    <message>
+        <source>; with its notch known: %1</source>
+        <translation>; mit bekannter Nabelkerbe: %1</translation>
+    </message>
+    <message>
+        <source>; follows: %1</source>
+        <translation>; folgt: %1</translation>
+    </message>
+    <message>
+        <source>No landmark follows another: this atlas does not know how they depend.</source>
+        <translation>Keine Landmarke folgt einer anderen: Dieser Atlas weiß nicht, wie sie voneinander abhängen.</translation>
     </message>
     <message>
         <source>%1 differs from the others: weight %2</source>

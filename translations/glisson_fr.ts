@@ -56,6 +56,26 @@
         <translation>placé à la main</translation>
     </message>
     <message>
+        <source>follows the notch as the portal vein shows it</source>
+        <translation>suit l&apos;échancrure telle que la veine porte la montre</translation>
+    </message>
+    <message>
+        <source>follows what the CT shows (%1)</source>
+        <translation>suit ce que montre le scanner (%1)</translation>
+    </message>
+    <message>
+        <source>follows the notch that you placed</source>
+        <translation>suit l&apos;échancrure que vous avez placée</translation>
+    </message>
+    <message>
+        <source>follows what you placed (%1)</source>
+        <translation>suit ce que vous avez placé (%1)</translation>
+    </message>
+    <message>
+        <source>%1 on %2 % of its course</source>
+        <translation>%1, sur %2 % de son trajet</translation>
+    </message>
+    <message>
         <source>%1; drawn to where the portal vein&apos;s umbilical part shows it</source>
         <translation>%1 ; ramené là où la partie ombilicale de la veine porte la montre</translation>
     </message>
@@ -4344,6 +4364,22 @@
         <translation>nomment deux fois une structure</translation>
     </message>
     <message>
+        <source>name a structure that is not there</source>
+        <translation>nomment une structure qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is the structure itself</source>
+        <translation>est la structure elle-même</translation>
+    </message>
+    <message>
+        <source>is no point of that structure</source>
+        <translation>n&apos;est pas un point de cette structure</translation>
+    </message>
+    <message>
+        <source>needs nine numbers a point</source>
+        <translation>exige neuf nombres par point</translation>
+    </message>
+    <message>
         <source>entry %1 holds something that is not a number</source>
         <translation>l’entrée %1 contient autre chose qu’un nombre</translation>
     </message>
@@ -6653,6 +6689,14 @@
     <message>
         <source>%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.</source>
         <translation>%1 : l&apos;image le montre à %2 mm de là où l&apos;atlas l&apos;attend. Vérifiez la segmentation.</translation>
+    </message>
+    <message>
+        <source>%1: by the portal vein it lies %2 mm from where it was placed by hand. Check both.</source>
+        <translation>%1 : d&apos;après la veine porte, elle se trouve à %2 mm de l&apos;endroit où elle a été placée à la main. Vérifiez les deux.</translation>
+    </message>
+    <message>
+        <source>This atlas does not know how one landmark depends on another: none follows what was placed by hand.</source>
+        <translation>Cet atlas ne sait pas comment les repères dépendent les uns des autres : aucun ne suit ce qui a été placé à la main.</translation>
     </message>
     <message>
         <source>The segmented portal vein does not show the umbilical part of its left branch: notch and falciform ligament come from statistics. Is the left branch there?</source>
@@ -9341,6 +9385,18 @@
     <message>
         <source>%1: from %2 livers (%3), %4 mm</source>
         <translation>%1 : d&apos;après %2 foies (%3), %4 mm</translation>
+    </message>
+    <message>
+        <source>; with its notch known: %1</source>
+        <translation>; échancrure connue : %1</translation>
+    </message>
+    <message>
+        <source>; follows: %1</source>
+        <translation>; suit : %1</translation>
+    </message>
+    <message>
+        <source>No landmark follows another: this atlas does not know how they depend.</source>
+        <translation>Aucun repère n&apos;en suit un autre : cet atlas ne sait pas comment ils dépendent les uns des autres.</translation>
     </message>
     <message>
         <source>%1 differs from the others: weight %2</source>

@@ -25,6 +25,7 @@ class AtlasCommandsTest : public QObject, private test::Program {
     const QJsonObject shown = figures("f.json");
     QVERIFY(shown["atlas_members"].toDouble() >= 5);
     QVERIFY(shown["atlas_vena_cava_deviation_mm"].toDouble() > 1.0);
+    QVERIFY2(ran.out.contains("; follows: Umbilical notch, Anterior margin"), qPrintable(ran.out));
   }
 
   /// The atlas' own mean is a liver: proposed and accepted, its vena cava is a landmark of the case.

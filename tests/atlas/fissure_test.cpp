@@ -116,7 +116,15 @@ class FissureTest : public QObject {
     evidence.placed[Structure::umbilical_notch] = notch_ + Eigen::RowVector3d(0.0, 0.0, 0.01);
     const auto made = transfer(atlas_, member_.liver, evidence, RunContext());
     QVERIFY(is_from(of(*made, Structure::umbilical_notch), Source::person));
-    QVERIFY(is_from(of(*made, Structure::falciform_line), Source::statistics));
+    QVERIFY(of(*made, Structure::falciform_line).sources.front() == Source::both);
+    QVERIFY(!says(*made, "atlas.mark_contradicted"));
+    // One that the vein contradicts stays too; then the vein says nothing of the line.
+    evidence.portal_vein = {
+        moved(test::portal_vein(LeftBranch::whole), notch_ - kToNotch - Eigen::RowVector3d(0.0, 0.04, 0.0))};
+    const auto other = transfer(atlas_, member_.liver, evidence, RunContext());
+    QVERIFY(is_from(of(*other, Structure::umbilical_notch), Source::person));
+    QVERIFY(is_from(of(*other, Structure::falciform_line), Source::statistics));
+    QVERIFY(says(*other, "atlas.mark_contradicted"));
   }
 
   void wrongTreesSayNothing_data() {

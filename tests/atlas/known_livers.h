@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "glisson/atlas/atlas.h"
 #include "glisson/insilico/liver_population.h"
@@ -34,17 +36,29 @@ inline atlas::Atlas built_in() {
   return atlas::read_atlas(std::filesystem::path(source != nullptr ? source : ".") / "resources/atlas");
 }
 
+inline atlas::Atlas atlas_of_population(const atlas::BuildOptions& options, std::uint64_t livers) {
+  std::vector<atlas::Member> members;
+  for (std::uint64_t seed = 6101; seed < 6101 + livers; ++seed) members.push_back(synthetic_member(seed));
+  return atlas::build(std::move(members), built_in(), options, RunContext())->atlas;
+}
+
 /// The same with structures where the population has them: the built-in one has some of them where real
 /// livers do.
 inline atlas::Atlas population_atlas() {
-  std::vector<atlas::Member> members;
-  for (std::uint64_t seed = 6101; seed < 6107; ++seed) members.push_back(synthetic_member(seed));
   atlas::BuildOptions options;
   options.name = "population";
   options.keep_shape = true;
   options.added_deviation = 0.018;
   options.added_unusual = 2.7;
-  return atlas::build(std::move(members), built_in(), options, RunContext())->atlas;
+  return atlas_of_population(options, 6);
+}
+
+/// One that knows how the population's structures depend on one another, and no single liver.
+inline atlas::Atlas dependent_atlas() {
+  atlas::BuildOptions options;
+  options.name = "dependent";
+  options.keep_shape = options.summed = true;
+  return atlas_of_population(options, 8);
 }
 
 }  // namespace glisson::test

@@ -156,6 +156,67 @@ class ProposalsTest : public QObject {
     QVERIFY(proposal_of(told->state, Structure::umbilical_notch)->source() == Source::statistics);
   }
 
+  /// Falciform line and margin go with the notch that is moved, at once, after opening, too, and back again.
+  void theOthersFollowAtOnceAndBack() {
+    const Points line = proposal_of(state_, Structure::falciform_line)->points;
+    Points to = proposal_of(state_, Structure::umbilical_notch)->points;
+    to.row(0) = proposal_of(state_, Structure::anterior_margin)->points.row(23);
+    const RestoreReview undo{*proposal_of(state_, Structure::umbilical_notch), Points(0, 3)};
+    const ReviewProposal move{Structure::umbilical_notch, Decision::moved, to};
+    const CaseState moved = move.apply(state_, RunContext())->state;
+    const atlas::Proposal* followed = proposal_of(moved, Structure::falciform_line);
+    QVERIFY((followed->points - line).row(0).norm() > 0.01);
+    QVERIFY((followed->points.row(0) - to.row(0)).norm() < 0.005);
+    QVERIFY(followed->decision == Decision::proposed && followed->follows.size() == 1);
+    QVERIFY(followed->deviation() < proposal_of(state_, Structure::falciform_line)->deviation());
+    QVERIFY(!proposal_of(moved, Structure::anterior_margin)->follows.empty());
+    QVERIFY(proposal_of(moved, Structure::vena_cava)->follows.empty());  // of other livers
+    QVERIFY(moved[part::landmarks]->anterior_margin.rows() == 0);        // still nobody's word
+    const TemporaryFolder folder;
+    QVERIFY(save_case(folder.path() / "a.glisson", moved, RunContext()));
+    const auto opened = open_case(folder.path() / "a.glisson", RunContext());
+    QVERIFY(opened && proposal_of(*opened, Structure::falciform_line)->follows == followed->follows);
+    for (const CaseState& now : {moved, *opened}) {
+      const CaseState back = undo.apply(now, RunContext())->state;
+      for (const Structure one : atlas::kStructures) {
+        QVERIFY(apart(proposal_of(back, one)->points, proposal_of(state_, one)->points) < 1e-6);
+        QVERIFY(proposal_of(back, one)->follows.empty());
+      }
+      QVERIFY(back[part::landmarks] == nullptr);
+    }
+    // What is moved stays with its proposal, and tells the next transfer, as a mark does that is there
+    // before.
+    CaseState marked = state_;
+    marked[part::proposals] = nullptr;
+    auto marks = std::make_shared<Landmarks>();
+    marks->umbilical_notch = to;
+    marked[part::landmarks] = marks;
+    for (const CaseState& now : {moved, marked}) {
+      const auto again = ProposeLandmarks{atlas_}.apply(now, RunContext());
+      QVERIFY(apart(proposal_of(again->state, Structure::falciform_line)->points, followed->points) < 0.002);
+      QVERIFY(again->figures.at("atlas_falciform_line_deviation_mm") <
+              figures_.at("atlas_falciform_line_deviation_mm"));
+    }
+  }
+
+  /// One of a former edition: what has been proposed stays as it is.
+  void aCaseThatDoesNotKnowWhatFollowsOpens() {
+    auto old = std::make_shared<atlas::Transfer>(*state_[part::proposals]);
+    old->basis = {};
+    CaseState now = state_;
+    now[part::proposals] = old;
+    const TemporaryFolder folder;
+    QVERIFY(save_case(folder.path() / "a.glisson", now, RunContext()));
+    QVERIFY(read_file(folder.path() / "a.glisson/atlas.json").find("basis") == std::string::npos);
+    now = *open_case(folder.path() / "a.glisson", RunContext());
+    Points to = proposal_of(now, Structure::umbilical_notch)->points;
+    to.row(0) += Eigen::RowVector3d(0.015, 0.0, 0.01);
+    const auto moved =
+        ReviewProposal{Structure::umbilical_notch, Decision::moved, to}.apply(now, RunContext());
+    QVERIFY(apart(proposal_of(moved->state, Structure::falciform_line)->points,
+                  proposal_of(now, Structure::falciform_line)->points) == 0.0);
+  }
+
   /// Where nothing but statistics says where it runs it stays out, and that is said.
   void ofAMarginOnlyWhatIsShownIsUsed() {
     const auto accepted =
@@ -342,6 +403,14 @@ class ProposalsTest : public QObject {
         [](auto& all, auto&) { all.doubts.emplace_back("atlas.open_surface"); },
         [](auto& all, auto&) { all.modes[0] += 0.01; },
         [](auto& all, auto&) { all.unusual += 0.01; },
+        [](auto&, auto& cava) {
+          cava.follows = {{Structure::umbilical_notch, Source::person, 2}};
+        },
+        [](auto& all, auto&) { all.basis.foretold[1].points(0, 0) += 1e-4; },
+        [](auto& all, auto&) { all.basis.dependences[0].gains[0](0, 1) += 0.01; },
+        [](auto& all, auto&) { all.basis.dependences[0].covariances[0] *= 1.01; },
+        [](auto& all, auto&) { all.basis.upright(0, 1) += 0.01; },
+        [](auto& all, auto&) { all.basis.sides_known = !all.basis.sides_known; },
         [](auto& all, auto&) { all.atlas = "another"; }};
     for (const auto& change : changes) {
       auto other = std::make_shared<atlas::Transfer>(*state_[part::proposals]);

@@ -64,6 +64,10 @@ class ProposalReviewTest : public QObject {
   }
   QListWidget& list() { return *find<QListWidget>("proposals"); }
   ui::ProposalReview& review() { return *find<ui::ProposalReview>("proposal_review"); }
+  bool says(const char* words) {
+    const auto has = [&](const QLabel* label) { return label->text().contains(QLatin1String(words)); };
+    return std::ranges::any_of(review().findChildren<QLabel*>(), has);
+  }
   /// As the list has them.
   void choose(Structure structure) {
     const auto& all = state()[part::proposals]->proposals;
@@ -147,8 +151,7 @@ void ProposalReviewTest::OneButtonProposesAll() {
   choose(Structure::umbilical_notch);
   const auto& marks = window_->views().state().ellipsoids();
   QCOMPARE(marks.size(), std::size_t{1});
-  const Eigen::Vector3d notch = proposal(Structure::umbilical_notch).points.row(0).transpose();
-  QVERIFY((marks[0].p - notch).norm() < 1e-12);
+  QVERIFY((marks[0].p - proposal(Structure::umbilical_notch).points.row(0).transpose()).norm() < 1e-12);
   QVERIFY(marks[0].distance2 == kEllipsoid95 && marks[0].colour != QColor(Qt::black));
 }
 
@@ -184,9 +187,7 @@ void ProposalReviewTest::AKeyThatIsHeldAcceptsOne() {
   }
   QTest::keyRelease(window_->focusWidget(), Qt::Key_A);
   const auto& all = state()[part::proposals]->proposals;
-  QCOMPARE(std::count_if(all.begin(), all.end(),
-                         [](const atlas::Proposal& one) { return one.decision == Decision::accepted; }),
-           std::ptrdiff_t{1});
+  QCOMPARE(std::ranges::count(all, Decision::accepted, &atlas::Proposal::decision), std::ptrdiff_t{1});
   press(Qt::Key_U);
   QVERIFY(!state()[part::landmarks] && !find<QPushButton>("undo_review")->isEnabled());
 }
@@ -222,10 +223,7 @@ void ProposalReviewTest::UndoLeavesWhatAHandHasPlacedSince() {
   QVERIFY(engine::effective_landmarks(state()).anterior_margin.rows() > 0);
   QCOMPARE(state()[part::landmarks]->anterior_margin.rows(), 0);
   choose(Structure::umbilical_notch);
-  const auto labels = review().findChildren<QLabel*>();
-  QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    return label->text().contains(QStringLiteral("placed by hand is used"));
-  }));
+  QVERIFY(says("placed by hand is used"));
   press(Qt::Key_U);
   QVERIFY(proposal(Structure::umbilical_notch).decision == Decision::proposed);
   const Points kept = engine::effective_landmarks(state()).umbilical_notch;
@@ -239,7 +237,7 @@ void ProposalReviewTest::UndoLeavesWhatAHandHasPlacedSince() {
 void ProposalReviewTest::AClickMovesIt() {
   choose(Structure::umbilical_notch);
   press(Qt::Key_M);
-  QVERIFY((review().tool() == ui::ProposalReview::Tool::move));
+  QVERIFY(review().tool() == ui::ProposalReview::Tool::move);
   ui::RenderView& view = window_->views().volume();
   const auto there = window_->views().surface_point(0.5, 0.5);
   QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(view.width() / 2, view.height() / 2));
@@ -250,16 +248,19 @@ void ProposalReviewTest::AClickMovesIt() {
   QVERIFY((engine::effective_landmarks(state()).umbilical_notch - moved.points).norm() < 1e-12);
   press(Qt::Key_Escape);
   QVERIFY(!(review().tool() == ui::ProposalReview::Tool::move));
+  QVERIFY((proposal(Structure::falciform_line).points.row(0) - moved.points.row(0)).norm() < 0.015);
+  choose(Structure::falciform_line);
+  QVERIFY(says("follows the notch that you placed"));
+  press(Qt::Key_U);
 }
 
 void ProposalReviewTest::AfterTheModesTheArrowsChooseAgain() {
   choose(Structure::falciform_line);
-  auto* list = window_->findChild<QListWidget*>(QStringLiteral("proposals"));
-  const int row = list->currentRow();
+  const int row = list().currentRow();
   press(Qt::Key_D);
   press(Qt::Key_Escape);
   press(Qt::Key_Down);
-  QCOMPARE(list->currentRow(), row + 1);
+  QCOMPARE(list().currentRow(), row + 1);
 }
 
 void ProposalReviewTest::AnotherPanelPutsItAway() {

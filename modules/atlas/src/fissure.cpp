@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "note.h"
-#include "umbilical_part.h"
 
 namespace glisson::atlas {
 namespace {
@@ -62,10 +61,6 @@ bool is_on_right(const UmbilicalPart& part, const Proposal* bed, const Eigen::Ve
   return bed != nullptr && part.tip.xyz.dot(left) < bed->points.colwise().mean().dot(left.transpose());
 }
 
-bool is_from_statistics(const Proposal& proposal) {
-  return std::ranges::all_of(proposal.sources, [](Source one) { return one == Source::statistics; });
-}
-
 /// What is known of a point from two sides that do not know of each other.
 void fuse(Eigen::Vector3d& point, Eigen::Matrix3d& spread, const Eigen::Vector3d& seen,
           const Eigen::Matrix3d& precision) {
@@ -74,25 +69,56 @@ void fuse(Eigen::Vector3d& point, Eigen::Matrix3d& spread, const Eigen::Vector3d
   point = spread * (own * point + precision * seen);
 }
 
-/// False: the two contradict each other, which is said.
-bool draw_notch(Proposal& notch, const UmbilicalPart& part, const Eigen::Matrix3d& upright,
-                std::vector<std::string>& doubts) {
-  const Eigen::Vector3d seen = part.tip.xyz + upright.transpose() * kToNotch;
-  const Eigen::Matrix3d spread = upright.transpose() * kNotchDeviation.cwiseAbs2().asDiagonal() * upright;
-  Eigen::Vector3d point = notch.points.row(0);
-  const Eigen::Vector3d off = seen - point;
-  if (off.dot((notch.covariances[0] + spread).inverse() * off) > kEllipsoid95) {
-    doubts.push_back(note("atlas.contradiction umbilical_notch", 1e3 * off.norm(), 0));
-    return false;
-  }
-  fuse(point, notch.covariances[0], seen, spread.inverse());
-  notch.points.row(0) = point.transpose();
-  notch.sources[0] = Source::both;
-  return true;
+/// Where the part says that the notch lies.
+struct SeenNotch {
+  Eigen::Vector3d place;
+  Eigen::Matrix3d spread;
+};
+SeenNotch seen_notch(const UmbilicalPart& part, const Eigen::Matrix3d& upright) {
+  return {part.tip.xyz + upright.transpose() * kToNotch,
+          upright.transpose() * kNotchDeviation.cwiseAbs2().asDiagonal() * upright};
 }
 
-/// Across the fissure's plane, which is known the better the nearer the vein is.
-void draw_line(Proposal& line, const UmbilicalPart& part, const Eigen::Vector3d& left) {
+}  // namespace
+
+std::optional<UmbilicalPart> fissure_part(const std::vector<Proposal>& proposals,
+                                          const std::vector<Proposal>& foretold,
+                                          const std::vector<VesselTree>& portal_vein,
+                                          const Eigen::Matrix3d& upright, std::vector<std::string>& doubts) {
+  auto part = umbilical_part(portal_vein, upright);
+  if (!part) {
+    doubts.emplace_back("atlas.no_umbilical_part");
+    return {};
+  }
+  if (perhaps_hepatic(portal_vein, foretold) ||
+      is_on_right(*part, find(proposals, Structure::gallbladder_bed), upright.row(0))) {
+    doubts.emplace_back("atlas.umbilical_part_elsewhere");
+    return {};
+  }
+  return part;
+}
+
+bool agrees(const Proposal& notch, const UmbilicalPart& part, const Eigen::Matrix3d& upright,
+            std::vector<std::string>& doubts) {
+  const SeenNotch seen = seen_notch(part, upright);
+  const Eigen::Vector3d off = seen.place - notch.points.row(0).transpose();
+  if (off.dot((notch.covariances[0] + seen.spread).inverse() * off) <= kEllipsoid95) return true;
+  const std::string code =
+      notch.sources[0] == Source::person ? "atlas.mark_contradicted" : "atlas.contradiction";
+  doubts.push_back(note(code + " umbilical_notch", 1e3 * off.norm(), 0));
+  return false;
+}
+
+void draw_notch(Proposal& notch, const UmbilicalPart& part, const Eigen::Matrix3d& upright) {
+  const SeenNotch seen = seen_notch(part, upright);
+  Eigen::Vector3d point = notch.points.row(0);
+  fuse(point, notch.covariances[0], seen.place, seen.spread.inverse());
+  notch.points.row(0) = point.transpose();
+  notch.sources[0] = Source::both;
+}
+
+void draw_line(Proposal& line, const UmbilicalPart& part, const Eigen::Matrix3d& upright) {
+  const Eigen::Vector3d left = upright.row(0);
   for (Eigen::Index k = 0; k < line.points.rows(); ++k) {
     Eigen::Matrix3d& spread = line.covariances[static_cast<std::size_t>(k)];
     Eigen::Vector3d point = line.points.row(k);
@@ -103,29 +129,6 @@ void draw_line(Proposal& line, const UmbilicalPart& part, const Eigen::Vector3d&
     line.points.row(k) = point.transpose();
     line.sources[static_cast<std::size_t>(k)] = Source::both;
   }
-}
-
-}  // namespace
-
-void draw_to_fissure(std::vector<Proposal>& proposals, const std::vector<Proposal>& foretold,
-                     const std::vector<VesselTree>& portal_vein, const Eigen::Matrix3d& upright,
-                     std::vector<std::string>& doubts) {
-  Proposal* notch = find(proposals, Structure::umbilical_notch);
-  if (portal_vein.empty() || notch == nullptr || !is_from_statistics(*notch)) return;
-  const Eigen::Vector3d left = upright.row(0);
-  const auto part = umbilical_part(portal_vein, upright);
-  if (!part) {
-    doubts.emplace_back("atlas.no_umbilical_part");
-    return;
-  }
-  if (perhaps_hepatic(portal_vein, foretold) ||
-      is_on_right(*part, find(proposals, Structure::gallbladder_bed), left)) {
-    doubts.emplace_back("atlas.umbilical_part_elsewhere");
-    return;
-  }
-  if (!draw_notch(*notch, *part, upright, doubts)) return;
-  Proposal* line = find(proposals, Structure::falciform_line);
-  if (line != nullptr && is_from_statistics(*line)) draw_line(*line, *part, left);
 }
 
 }  // namespace glisson::atlas

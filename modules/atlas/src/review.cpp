@@ -88,6 +88,7 @@ Points landmark_points(const Proposal& proposal) {
 }
 
 void move(Proposal& proposal, const Points& to) {
+  proposal.follows.clear();
   const Eigen::Matrix3d by_hand = kHandDeviation * kHandDeviation * Eigen::Matrix3d::Identity();
   if (is_area(proposal.structure)) {
     if (to.rows() < 3)

@@ -7,6 +7,7 @@
 
 #include "glisson/atlas/review.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/propose_landmarks.h"
 #include "glisson/engine/landmark_origin.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
@@ -92,7 +93,21 @@ Applied with_review(const CaseState& state, const atlas::Proposal& proposal, con
   applied.state[part::proposals] = std::move(transfer);
   applied.state = with_landmark(applied.state, proposal.structure, landmark,
                                 known ? *known : atlas::landmark_deviations(proposal, landmark));
+  propose_others_again(applied.state);
   return applied;
+}
+
+atlas::Evidence with_own_ridge(const CaseState& state, atlas::Evidence evidence) {
+  if (const Points margin = marks_by_hand(state, atlas::Structure::anterior_margin); margin.rows() > 0)
+    evidence.ridge = margin;
+  return evidence;
+}
+
+void propose_others_again(CaseState& state) {
+  auto transfer = std::make_shared<atlas::Transfer>(*state[part::proposals]);
+  const PatientModel& model = state[part::model]->model;
+  atlas::propose_again(*transfer, fine_liver(model), with_own_ridge(state, atlas::courses_of(model)));
+  state[part::proposals] = std::move(transfer);
 }
 
 std::vector<std::optional<atlas::Source>> proposed_sources(const CaseState& state,

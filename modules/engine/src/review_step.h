@@ -17,12 +17,19 @@ const atlas::Proposal& require_proposed(const CaseState& state, atlas::Structure
 
 /// The case with this proposal in the place of the one of its structure, and with these points as its
 /// landmark (CT frame, metres; none: no landmark), where registration knows the structure. Other landmarks
-/// stay, unless they are of a former model.
+/// stay, unless they are of a former model; other proposals follow.
 /// @param known how far the points may lie from where they are, as placed_deviations() had it; empty: as
 ///   atlas::landmark_deviations() says.
 /// @throws InputError nothing is proposed for the structure.
 Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
                     const std::optional<Eigen::VectorXd>& known = {});
+
+/// The evidence with a person's own margin, where there is one, in the place of the detected ridge.
+/// @pre there is a model
+atlas::Evidence with_own_ridge(const CaseState& state, atlas::Evidence evidence);
+/// Proposals that nobody has decided follow those that are known (atlas::propose_again). @pre there are both,
+/// model and proposals
+void propose_others_again(CaseState& state);
 
 /// The case after a decision on a proposal. What a person has placed by hand stays its structure's landmark
 /// unless it was moved; where another place was accepted a note says so.

@@ -51,6 +51,7 @@ class AtlasTexts {
     QString reason = tr("from %1 livers (%2), %3 mm")
                          .arg(QString::number(proposal.members), QString::fromStdString(proposal.origin),
                               QString::number(1e3 * proposal.deviation(), 'f', 0));
+    for (const atlas::Followed& one : proposal.follows) reason = followed_text(proposal, reason, one);
     if (drawn > 0) reason = drawn_text(proposal, reason, drawn);
     if (by_hand > 0)
       reason = tr("%1; placed by hand on %2 % of its course").arg(reason, QString::number(by_hand));
@@ -58,6 +59,19 @@ class AtlasTexts {
   }
 
  private:
+  /// What some of its points lie where they do for.
+  static QString followed_text(const atlas::Proposal& proposal, const QString& reason,
+                               const atlas::Followed& one) {
+    const bool is_notch = one.on == atlas::Structure::umbilical_notch;
+    const QString other = structure(one.on);
+    QString text = one.source == atlas::Source::both    ? tr("follows the notch as the portal vein shows it")
+                   : one.source == atlas::Source::image ? tr("follows what the CT shows (%1)").arg(other)
+                   : is_notch                           ? tr("follows the notch that you placed")
+                                                        : tr("follows what you placed (%1)").arg(other);
+    const long percent = 100L * one.points / std::max(1L, static_cast<long>(proposal.points.rows()));
+    if (percent < 100) text = tr("%1 on %2 % of its course").arg(text, QString::number(percent));
+    return QStringLiteral("%1; %2").arg(reason, text);
+  }
   /// What the CT shows beside the statistics. @param drawn % of the points
   static QString drawn_text(const atlas::Proposal& proposal, const QString& reason, long drawn) {
     if (proposal.structure == atlas::Structure::umbilical_notch)

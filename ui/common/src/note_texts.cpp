@@ -172,6 +172,11 @@ class Notes {
         {"atlas.several_pieces", tr("The liver's surface has %1 pieces; the largest was taken.")},
         {"atlas.contradiction",
          tr("%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.")},
+        {"atlas.mark_contradicted",
+         tr("%1: by the portal vein it lies %2 mm from where it was placed by hand. Check both.")},
+        {"atlas.nothing_follows",
+         tr("This atlas does not know how one landmark depends on another: none follows what was placed by "
+            "hand.")},
         {"atlas.no_umbilical_part",
          tr("The segmented portal vein does not show the umbilical part of its left branch: notch and "
             "falciform ligament come from statistics. Is the left branch there?")},

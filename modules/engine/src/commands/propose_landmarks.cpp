@@ -2,6 +2,7 @@
 #include "glisson/engine/commands/propose_landmarks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "../review_step.h"
 #include "glisson/atlas/transfer.h"
@@ -26,9 +27,7 @@ atlas::Evidence evidence(const CaseState& state) {
   atlas::Evidence all = evidence(state[part::model]->model);
   for (const Structure structure : {Structure::umbilical_notch, Structure::vena_cava})
     all.placed[structure] = marks_by_hand(state, structure);
-  if (const Points margin = marks_by_hand(state, Structure::anterior_margin); margin.rows() > 0)
-    all.ridge = margin;
-  return all;
+  return with_own_ridge(state, std::move(all));
 }
 
 /// What becomes of landmarks that former proposals have left: what a person has moved stays with its
@@ -47,6 +46,14 @@ CaseState settle_former(const CaseState& state, atlas::Transfer& made) {
     else
       made.proposals.push_back(former);
   }
+  return after;
+}
+
+/// The case with what is proposed now. What a person has moved before tells of the others.
+CaseState settled(const CaseState& state, atlas::Transfer made) {
+  CaseState after = settle_former(state, made);
+  after[part::proposals] = std::make_shared<const atlas::Transfer>(std::move(made));
+  propose_others_again(after);
   return after;
 }
 
@@ -80,10 +87,9 @@ Cancellable<Applied> ProposeLandmarks::apply(const CaseState& state, const RunCo
   require(atlas != nullptr, "landmarks are proposed by an atlas");
   auto made = atlas::transfer(*atlas, fine_liver(state[part::model]->model), evidence(state), context);
   if (!made) return {};
-  Applied applied{settle_former(state, *made), {}, made->doubts};
-  applied.figures = figures_of(*made);
-  applied.state[part::proposals] = std::make_shared<const atlas::Transfer>(std::move(*made));
-  return applied;
+  CaseState after = settled(state, std::move(*made));
+  const atlas::Transfer& all = *after[part::proposals];
+  return Applied{after, figures_of(all), all.doubts};
 }
 
 }  // namespace glisson::engine

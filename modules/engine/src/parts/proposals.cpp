@@ -3,19 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <set>
 
-#include "case_files.h"
 #include "glisson/atlas/review.h"
-#include "glisson/core/error.h"
-#include "glisson/core/json_file.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "review_step.h"
+#include "transfer_file.h"
 
 namespace glisson::engine {
 namespace {
@@ -27,120 +22,10 @@ using atlas::Transfer;
 using nlohmann::json;
 
 constexpr const char* kFile = "atlas.json";
-constexpr double kSquareMillimetre = 1e-6;
-
-json sheet_of(const Proposal& one) {
-  json covariances = json::array(), sources = json::array();
-  for (const Eigen::Matrix3d& c : one.covariances)
-    covariances.push_back({c(0, 0) / kSquareMillimetre, c(0, 1) / kSquareMillimetre,
-                           c(0, 2) / kSquareMillimetre, c(1, 1) / kSquareMillimetre,
-                           c(1, 2) / kSquareMillimetre, c(2, 2) / kSquareMillimetre});
-  for (const Source source : one.sources) sources.push_back(atlas::source_code(source));
-  return {{"structure", atlas::structure_code(one.structure)},
-          {"points", points_to_json(one.points)},
-          {"covariances_mm2", covariances},
-          {"sources", sources},
-          {"area", points_to_json(one.area)},
-          {"members", one.members},
-          {"origin", one.origin},
-          {"decision", atlas::decision_code(one.decision)}};
-}
-
-[[noreturn]] void refuse(const std::string& file, const std::string& field, const std::string& problem) {
-  throw InputError(file, field, problem,
-                   "Remove the file's entry from case.json and transfer the atlas again");
-}
-
-template <class Code, std::size_t N>
-Code code_in(const char* (*code_of)(Code), const std::array<Code, N>& all, const json& text,
-             const std::string& file, const char* field) {
-  for (const Code one : all)
-    if (text.is_string() && text.get<std::string>() == code_of(one)) return one;
-  refuse(file, field, "is unknown");
-}
-
-Eigen::Matrix3d covariance_in(const json& row, const std::string& file) {
-  if (!row.is_array() || row.size() != 6) refuse(file, "covariances_mm2", "needs six numbers a point");
-  std::array<double, 6> c{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (!row[i].is_number()) refuse(file, "covariances_mm2", "holds something else than numbers");
-    c[i] = kSquareMillimetre * row[i].get<double>();
-  }
-  Eigen::Matrix3d matrix;
-  matrix << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
-  if (!(matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > 0.0))
-    refuse(file, "covariances_mm2", "holds a matrix that is no covariance");
-  return matrix;
-}
-
-Proposal proposal_in(const json& sheet, const std::string& file) {
-  constexpr std::array kSources = {Source::statistics, Source::image, Source::both, Source::person};
-  constexpr std::array kDecisions = {Decision::proposed, Decision::accepted, Decision::moved,
-                                     Decision::not_visible};
-  Proposal one;
-  one.structure =
-      code_in(atlas::structure_code, atlas::kStructures, sheet.at("structure"), file, "structure");
-  one.points = points_from_json(sheet.at("points"), file, "points");
-  for (const json& row : sheet.at("covariances_mm2")) one.covariances.push_back(covariance_in(row, file));
-  for (const json& row : sheet.at("sources"))
-    one.sources.push_back(code_in(atlas::source_code, kSources, row, file, "sources"));
-  if (one.points.rows() != atlas::point_count(one.structure))
-    refuse(file, "points", "are not as many as the structure has");
-  const auto count = static_cast<std::size_t>(one.points.rows());
-  if (one.covariances.size() != count || one.sources.size() != count)
-    refuse(file, "points", "are not as many as covariances and sources");
-  if (!sheet.at("area").empty()) one.area = points_from_json(sheet.at("area"), file, "area");
-  // Atlases without shares have left contacts of nothing, which could never become a landmark.
-  if (one.area.rows() == 0 && atlas::is_area(one.structure)) one.area = one.points;
-  one.members = sheet.at("members").get<int>();
-  one.origin = sheet.at("origin").get<std::string>();
-  one.decision = code_in(atlas::decision_code, kDecisions, sheet.at("decision"), file, "decision");
-  return one;
-}
 
 json save(const CaseState& state, const CaseFolder& folder) {
-  const Transfer& transfer = *state[part::proposals];
-  json proposals = json::array();
-  for (const Proposal& one : transfer.proposals) proposals.push_back(sheet_of(one));
-  json modes = json::array();
-  for (const double b : transfer.modes) modes.push_back(b);
-  write_json(folder.path / kFile, {{"frame", "LPS"},
-                                   {"unit", "mm"},
-                                   {"atlas", transfer.atlas},
-                                   {"surface", points_to_json(transfer.surface)},
-                                   {"mean_distance_mm", 1e3 * transfer.mean_distance},
-                                   {"max_distance_mm", 1e3 * transfer.max_distance},
-                                   {"modes", modes},
-                                   {"unusual", transfer.unusual},
-                                   {"doubts", transfer.doubts},
-                                   {"proposals", proposals}});
+  write_transfer(folder.path / kFile, *state[part::proposals]);
   return json::object();
-}
-
-Transfer read(const std::filesystem::path& path) {
-  const json sheet = read_json(path);
-  const std::string file = path.string();
-  Transfer transfer;
-  try {
-    transfer.atlas = sheet.at("atlas").get<std::string>();
-    transfer.surface = points_from_json(sheet.at("surface"), file, "surface");
-    transfer.mean_distance = 1e-3 * sheet.at("mean_distance_mm").get<double>();
-    transfer.max_distance = 1e-3 * sheet.at("max_distance_mm").get<double>();
-    const auto modes = sheet.at("modes").get<std::vector<double>>();
-    transfer.modes = Eigen::Map<const Eigen::VectorXd>(modes.data(), static_cast<Eigen::Index>(modes.size()));
-    transfer.unusual = sheet.at("unusual").get<double>();
-    transfer.doubts = sheet.at("doubts").get<std::vector<std::string>>();
-    std::set<Structure> known;
-    for (const json& one : sheet.at("proposals")) {
-      transfer.proposals.push_back(proposal_in(one, file));
-      if (!known.insert(transfer.proposals.back().structure).second)
-        refuse(file, "proposals", "name a structure twice");
-    }
-    if (known.empty()) refuse(file, "proposals", "are none");
-  } catch (const json::exception& error) {
-    refuse(file, "", std::string("is malformed (") + error.what() + ")");
-  }
-  return transfer;
 }
 
 /// Somebody else's mesh: what holds it is told by fixed nodes.
@@ -185,28 +70,8 @@ void add_margin_notes(const CaseState& state, std::vector<std::string>& notes) {
   if (left_out > 0) notes.push_back("atlas.margin_left_out " + percent_of(left_out, margin->points.rows()));
 }
 
-/// But for what millimetres in text round.
-bool same_number(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
-
-bool same_proposal(const Proposal& a, const Proposal& b) {
-  const auto same_spread = [](const Eigen::Matrix3d& c, const Eigen::Matrix3d& d) {
-    return (c - d).norm() <= 1e-9 * c.norm();
-  };
-  return a.structure == b.structure && a.decision == b.decision && a.sources == b.sources &&
-         a.members == b.members && a.origin == b.origin && same_points(a.points, b.points) &&
-         same_points(a.area, b.area) &&
-         std::equal(a.covariances.begin(), a.covariances.end(), b.covariances.begin(), b.covariances.end(),
-                    same_spread);
-}
-
 bool same(const CaseState& written, const CaseState& found) {
-  const Transfer &a = *written[part::proposals], &b = *found[part::proposals];
-  return a.atlas == b.atlas && a.doubts == b.doubts && same_points(a.surface, b.surface) &&
-         same_number(a.mean_distance, b.mean_distance) && same_number(a.max_distance, b.max_distance) &&
-         same_number(a.unusual, b.unusual) &&
-         std::equal(a.modes.begin(), a.modes.end(), b.modes.begin(), b.modes.end(), same_number) &&
-         std::equal(a.proposals.begin(), a.proposals.end(), b.proposals.begin(), b.proposals.end(),
-                    same_proposal);
+  return same_transfer(*written[part::proposals], *found[part::proposals]);
 }
 
 }  // namespace
@@ -218,8 +83,8 @@ const PartOf<Transfer> part::proposals{{.code = "proposals",
                                         .save = save,
                                         .load =
                                             [](CaseState& state, const json&, const CaseFolder& folder) {
-                                              state[part::proposals] =
-                                                  std::make_shared<const Transfer>(read(folder.path / kFile));
+                                              state[part::proposals] = std::make_shared<const Transfer>(
+                                                  read_transfer(folder.path / kFile));
                                             },
                                         .same = same,
                                         .is_input = false}};
