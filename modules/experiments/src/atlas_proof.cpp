@@ -171,28 +171,51 @@ class Proof {
     return true;
   }
 
+  /// A liver laid on once, and what is proposed there as more and more becomes known. False: cancelled.
+  bool lay_on(std::size_t i, const RunContext& context) {
+    const Member& member = members_[i];
+    const Stopwatch watch;
+    const auto bare = atlas::transfer(*options_.built_in, member.liver, {}, context.quiet());
+    if (!bare) return false;
+    slowest_s_ = std::max(slowest_s_, watch.seconds());
+    keep("built-in", built_in_, judged(*bare, member));
+    atlas::Evidence vein, notch;
+    vein.portal_vein = portal_veins_[i];
+    keep("and vein", with_vein_, judged(told(*bare, member.liver, vein), member));
+    const auto marked = member.structures.find(Structure::umbilical_notch);
+    if (marked == member.structures.end()) return true;
+    notch.placed.insert(*marked);
+    LeftOut others = judged(told(*bare, member.liver, notch), member);
+    others.structures.erase(Structure::umbilical_notch);
+    keep("and notch", with_notch_, std::move(others));
+    return true;
+  }
+
+  void keep(const char* how, std::vector<LeftOut>& livers, LeftOut liver) {
+    proof_.table.push_back(row(liver, how));
+    livers.push_back(std::move(liver));
+  }
+
+  /// Of all, and of those of even and of odd numbers apart.
+  void add_all(const std::string& prefix, const std::vector<LeftOut>& livers) {
+    std::vector<LeftOut> even, odd;
+    for (const LeftOut& liver : livers) (is_for_development(liver.name) ? even : odd).push_back(liver);
+    add(proof_.figures, prefix + "even_", even);
+    add(proof_.figures, prefix + "odd_", odd);
+    add(proof_.figures, prefix, livers);
+  }
+
   /// What is refused here, though it is a liver, stays out of what follows.
   bool built_in(const RunContext& context) {
-    std::vector<LeftOut> even, odd, with_veins;
     std::vector<Member> taken;
-    double slowest = 0.0, refused = 0.0, said = 0.0;
+    double refused = 0.0, said = 0.0;
     for (std::size_t i = 0; i < members_.size(); ++i) {
       const std::vector<std::string> mirrored = complaints_about_mirrored(members_[i]);
       if (std::find(mirrored.begin(), mirrored.end(), kRefused) != mirrored.end()) refused += 1.0;
       if (!mirrored.empty()) said += 1.0;
-      const Stopwatch watch;
       try {
-        auto liver = foretold(*options_.built_in, members_[i], context);
-        if (!liver) return false;
-        slowest = std::max(slowest, watch.seconds());
-        proof_.table.push_back(row(*liver, "built-in"));
-        (is_for_development(members_[i].name) ? even : odd).push_back(std::move(*liver));
+        if (!lay_on(i, context)) return false;
         taken.push_back(members_[i]);
-        auto with_vein =
-            foretold(*options_.built_in, members_[i], context, {.portal_vein = portal_veins_[i]});
-        if (!with_vein) return false;
-        proof_.table.push_back(row(*with_vein, "and vein"));
-        with_veins.push_back(std::move(*with_vein));
       } catch (const InputError&) {
         proof_.table.push_back(members_[i].name + "   refused as mirrored, wrongly");
       }
@@ -202,16 +225,10 @@ class Proof {
     proof_.figures["wrongly_refused_livers"] = count - static_cast<double>(taken.size());
     proof_.figures["mirrored_refused_share"] = refused / count;
     proof_.figures["mirrored_refused_or_doubted_share"] = said / count;
-    proof_.figures["transfer_slowest_s"] = slowest;
-    add(proof_.figures, "built_in_even_", even);
-    add(proof_.figures, "built_in_odd_", odd);
-    even.insert(even.end(), odd.begin(), odd.end());
-    add(proof_.figures, "built_in_", even);
-    add(proof_.figures, "with_vein_", with_veins);
-    odd.clear();
-    std::ranges::copy_if(with_veins, std::back_inserter(odd),
-                         [](const LeftOut& liver) { return !is_for_development(liver.name); });
-    add(proof_.figures, "with_vein_odd_", odd);
+    proof_.figures["transfer_slowest_s"] = slowest_s_;
+    add_all("built_in_", built_in_);
+    add_all("with_vein_", with_vein_);
+    add_all("with_notch_", with_notch_);
     members_ = std::move(taken);
     return true;
   }
@@ -239,7 +256,8 @@ class Proof {
   AtlasProof proof_;
   std::vector<Member> members_;
   std::vector<std::vector<VesselTree>> portal_veins_;  ///< of those that were read
-  double seconds_ = 0.0;
+  double seconds_ = 0.0, slowest_s_ = 0.0;
+  std::vector<LeftOut> built_in_, with_vein_, with_notch_;
 };
 
 }  // namespace

@@ -40,6 +40,7 @@ struct AtlasProof {
   /// Keys begin with "synthetic_" (in silico), "real_" (each real liver by all others; "real_even_" for those
   /// that served development, "real_odd_" for validation), "built_in_" (real livers by the built-in atlas),
   /// "with_vein_" (the same with the portal vein as evidence of notch and falciform line),
+  /// "with_notch_" (the same with the readers' notch as a person's mark; of the notch itself nothing),
   /// "readings_" (how far the two readers lie apart), "effect_" (landmark_effect.h, in silico).
   Figures figures;
   std::vector<std::string> absent;  ///< real data that were left out

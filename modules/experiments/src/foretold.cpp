@@ -8,17 +8,14 @@
 namespace glisson::experiments {
 using namespace atlas;
 
-Cancellable<LeftOut> foretold(const Atlas& known, const Member& member, const RunContext& context,
-                              const Evidence& evidence) {
-  const auto made = transfer(known, member.liver, evidence, context.quiet());
-  if (!made) return {};
+LeftOut judged(const Transfer& made, const Member& member) {
   LeftOut liver;
   liver.name = member.name;
-  liver.mean_distance = made->mean_distance;
-  liver.max_distance = made->max_distance;
-  liver.unusual = made->unusual;
-  liver.doubts = made->doubts;
-  for (const Proposal& one : made->proposals) {
+  liver.mean_distance = made.mean_distance;
+  liver.max_distance = made.max_distance;
+  liver.unusual = made.unusual;
+  liver.doubts = made.doubts;
+  for (const Proposal& one : made.proposals) {
     const auto raw = member.structures.find(one.structure);
     if (raw == member.structures.end()) continue;
     const auto notch = member.structures.find(Structure::umbilical_notch);
@@ -37,6 +34,12 @@ Cancellable<LeftOut> foretold(const Atlas& known, const Member& member, const Ru
     liver.structures[one.structure] = found;
   }
   return liver;
+}
+
+Cancellable<LeftOut> foretold(const Atlas& known, const Member& member, const RunContext& context) {
+  const auto made = transfer(known, member.liver, {}, context.quiet());
+  if (!made) return {};
+  return judged(*made, member);
 }
 
 }  // namespace glisson::experiments

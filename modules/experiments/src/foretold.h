@@ -7,11 +7,13 @@
 
 namespace glisson::experiments {
 
-/// What an atlas that the liver had no part in proposes from its surface (and what else is known of it),
-/// against its structures: the built atlas' LeftOut, without what only its building tells (turned_deg,
-/// misfits, folded). Empty: cancelled.
+/// What is proposed on a liver, against its structures: the built atlas' LeftOut, without what only its
+/// building tells (turned_deg, misfits, folded, with_notch).
+atlas::LeftOut judged(const atlas::Transfer& made, const atlas::Member& member);
+
+/// The same of what an atlas that the liver had no part in proposes from its surface. Empty: cancelled.
 /// @throws InputError as atlas::transfer().
 Cancellable<atlas::LeftOut> foretold(const atlas::Atlas& atlas, const atlas::Member& member,
-                                     const RunContext& context, const atlas::Evidence& evidence = {});
+                                     const RunContext& context);
 
 }  // namespace glisson::experiments
