@@ -88,6 +88,28 @@ class StatisticsTest : public QObject {
     QVERIFY((covariance(statistics, 0) - first).norm() < 1e-15);
     QVERIFY((covariance(statistics, 1) - second).norm() < 1e-15);
   }
+
+  void whatMeetsGoesAlongWithTheSameModes() {
+    auto random = RunContext().random("test.modes");
+    std::vector<Observation> follows, stays;
+    for (int i = 0; i < 12; ++i) {
+      Observation one;
+      one.modes = Eigen::Vector2d(standard_normal(random), standard_normal(random));
+      one.points = Points::Zero(1, 3);
+      for (int c = 0; c < 3; ++c) one.points(0, c) = 1e-3 * standard_normal(random);
+      stays.push_back(one);
+      one.points(0, 1) += 0.02 * one.modes[0];
+      follows.push_back(one);
+    }
+    QCOMPARE(modes_for({stays}), 0);
+    QCOMPARE(modes_for({follows}), 1);
+    QCOMPARE(modes_for({stays, follows}), 1);
+    StructureStatistics statistics;
+    observe(statistics, stays, modes_for({stays, follows}));
+    QCOMPARE(statistics.slopes.cols(), Eigen::Index(1));
+    observe(statistics, follows, 1);
+    QVERIFY(slope_size(statistics) > 0.8 * 0.02 / std::sqrt(3.0));
+  }
 };
 
 QTEST_APPLESS_MAIN(StatisticsTest)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -245,14 +246,30 @@ class Builder {
     }
   }
 
-  void add(Structure structure) {
-    const Atlas& atlas = result_.atlas;
+  std::vector<Observation> observations_of(Structure structure) const {
     std::vector<Observation> observed;
-    const double size = size_of(atlas.shape.mean);
+    const TriangleMesh mean = result_.atlas.mean();
+    const double size = size_of(mean.vertices);
     for (std::size_t i = 0; i < count(); ++i)
       if (const auto at = works_[i].places.find(structure); at != works_[i].places.end())
         observed.push_back(
-            {works_[i].member.name, works_[i].weight, points_at(at->second, atlas.mean(), size), modes_[i]});
+            {works_[i].member.name, works_[i].weight, points_at(at->second, mean, size), modes_[i]});
+    return observed;
+  }
+
+  /// Falciform line and margin meet the notch: the shape must not take one of them along and leave another.
+  int mode_count(Structure structure, const std::vector<Observation>& observed) const {
+    static constexpr std::array kMeet = {Structure::umbilical_notch, Structure::falciform_line,
+                                         Structure::anterior_margin};
+    if (std::find(kMeet.begin(), kMeet.end(), structure) == kMeet.end()) return modes_for({observed});
+    std::vector<std::vector<Observation>> all;
+    for (const Structure one : kMeet) all.push_back(observations_of(one));
+    std::erase_if(all, [](const auto& one) { return one.size() < kLeastMembers; });
+    return modes_for(all);
+  }
+
+  void add(Structure structure) {
+    const std::vector<Observation> observed = observations_of(structure);
     if (observed.size() < kLeastMembers) {
       take_over(structure, observed.size());
       return;
@@ -263,7 +280,7 @@ class Builder {
     statistics.origin = options_.name;
     statistics.added_deviation = options_.added_deviation;
     statistics.added_unusual = added_unusual_;
-    observe(statistics, observed);
+    observe(statistics, observed, mode_count(structure, observed));
     if (is_area(structure)) statistics.share = shares(structure);
     result_.atlas.structures.push_back(std::move(statistics));
   }
@@ -278,14 +295,6 @@ class Builder {
         std::erase_if(one.depends,
                       [&](const Dependence& other) { return result_.spreads.contains(other.on); });
     learn_dependences(own);
-  }
-
-  static double spread_of(const std::vector<Observation>& observed) {
-    Points middles(static_cast<Eigen::Index>(observed.size()), 3);
-    for (std::size_t i = 0; i < observed.size(); ++i)
-      middles.row(static_cast<Eigen::Index>(i)) = observed[i].points.colwise().mean();
-    const Eigen::RowVector3d mean = middles.colwise().mean();
-    return std::sqrt((middles.rowwise() - mean).rowwise().squaredNorm().mean());
   }
 
   /// What too few members show, from the base: the places are the same, for the triangles are.
@@ -309,9 +318,6 @@ class Builder {
     if (taken.slopes.cols() > 0) taken.added_deviation = std::hypot(taken.added_deviation, slope_size(taken));
     taken.slopes.resize(taken.mean.size(), 0);
     result_.atlas.structures.push_back(std::move(taken));
-  }
-  static double slope_size(const StructureStatistics& statistics) {
-    return std::sqrt(statistics.slopes.squaredNorm() / static_cast<double>(statistics.slopes.rows()));
   }
 
   /// Which vertices of the template touch the area of a member.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "glisson/core/error.h"
@@ -85,20 +84,38 @@ Points rows_of_three(const Eigen::VectorXd& flat) {
 
 }  // namespace
 
-void observe(StructureStatistics& statistics, const std::vector<Observation>& observed) {
+int modes_for(const std::vector<std::vector<Observation>>& structures) {
+  std::vector<double> left(kMostModes + 1, 0.0);
+  for (const std::vector<Observation>& observed : structures) {
+    require(observed.size() >= 3, "statistics need three members");
+    const int most = std::min({kMostModes, static_cast<int>(observed.size()) / kMembersAMode,
+                               static_cast<int>(observed.front().modes.size())});
+    left.resize(std::min(left.size(), static_cast<std::size_t>(most) + 1));
+    const double without = std::max(regression(observed, 0).residuals().squaredNorm(), 1e-30);
+    for (std::size_t modes = 0; modes < left.size(); ++modes)
+      left[modes] +=
+          regression(observed, static_cast<Eigen::Index>(modes)).residuals().squaredNorm() / without;
+  }
+  return static_cast<int>(std::min_element(left.begin(), left.end()) - left.begin());
+}
+
+double spread_of(const std::vector<Observation>& observed) {
+  Points middles(static_cast<Eigen::Index>(observed.size()), 3);
+  for (std::size_t i = 0; i < observed.size(); ++i)
+    middles.row(static_cast<Eigen::Index>(i)) = observed[i].points.colwise().mean();
+  const Eigen::RowVector3d mean = middles.colwise().mean();
+  return std::sqrt((middles.rowwise() - mean).rowwise().squaredNorm().mean());
+}
+
+double slope_size(const StructureStatistics& statistics) {
+  return std::sqrt(statistics.slopes.squaredNorm() / static_cast<double>(statistics.slopes.rows()));
+}
+
+void observe(StructureStatistics& statistics, const std::vector<Observation>& observed, int modes) {
   require(observed.size() >= 3, "statistics need three members");
   const auto n = static_cast<int>(observed.size());
-  const int most = std::min({kMostModes, n / kMembersAMode, static_cast<int>(observed.front().modes.size())});
-  double least = std::numeric_limits<double>::infinity();
-  Eigen::MatrixXd best, residuals;
-  for (int modes = 0; modes <= most; ++modes) {
-    const Regression trial = regression(observed, modes);
-    const Eigen::MatrixXd left = trial.residuals();
-    if (left.squaredNorm() >= least) continue;
-    least = left.squaredNorm();
-    best = trial.solve(-1);
-    residuals = left;
-  }
+  const Regression chosen = regression(observed, modes);
+  const Eigen::MatrixXd best = chosen.solve(-1), residuals = chosen.residuals();
   statistics.mean = rows_of_three(best.row(0).transpose());
   statistics.slopes = best.bottomRows(best.rows() - 1).transpose();
   statistics.members.clear();

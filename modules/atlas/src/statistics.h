@@ -21,9 +21,16 @@ struct Observation {
   Eigen::VectorXd modes;  ///< of the member's shape, over their deviations
 };
 
-/// Mean, slopes on as many modes (0 to 3) as leave the least error on members left out, and the residuals of
-/// members left out. @pre three observations at least
-void observe(StructureStatistics& statistics, const std::vector<Observation>& observed);
+/// How many modes (0 to 3) leave the least error on members left out: of each structure the squared residuals
+/// over those without modes, summed. @pre three observations of each at least
+int modes_for(const std::vector<std::vector<Observation>>& structures);
+/// Mean, slopes on so many modes, and the residuals of members left out. @pre three observations at least
+void observe(StructureStatistics& statistics, const std::vector<Observation>& observed, int modes);
+
+/// How far the structure's middle lies from its mean, rms over the members, metres.
+double spread_of(const std::vector<Observation>& observed);
+/// By how much the modes move a coordinate, rms, metres.
+double slope_size(const StructureStatistics& statistics);
 
 /// What a point of another structure tells of this one: their joint covariance over the members' residuals,
 /// with an even one of kEvenMembers' weight as in covariance(), conditioned on that point; and of its word
