@@ -27,7 +27,6 @@ class OperationsTest : public QObject {
   void TheyAreWantedOnceAModelIsThere();
   void WithoutAVenaCavaTheRemedyIsNamed();
   void TheyComeBackWithTheCase();
-  void ThoseOfACaseOfBeforeAreSimulatedAnew();
   void ThoseOfAFormerModelAreNotSaved();
   void ADamagedFileCostsNothingButTime();
   void WhatIsOutOfRangeInTheCaseIsNamed();
@@ -102,24 +101,6 @@ void OperationsTest::TheyComeBackWithTheCase() {
   QVERIFY(after(*read, few_operations(), 8)[part::operations] != (*read)[part::operations]);
 }
 
-void OperationsTest::ThoseOfACaseOfBeforeAreSimulatedAnew() {
-  const QTemporaryDir folder;
-  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
-  registration::OperationOptions before = few_operations();
-  before.volume_change = 0.0;
-  save_case(path, after(phantom_case(), before), RunContext());
-  std::string text = read_file(path / "case.json");
-  const std::size_t at = text.find("\"volume_change\": 0.0,");
-  QVERIFY(at != std::string::npos);
-  text.erase(at, std::string("\"volume_change\": 0.0,").size());
-  write_file_atomically(path / "case.json", text);
-  std::vector<std::string> lost;
-  const auto read = open_case(path, RunContext(), &lost);
-  QVERIFY(read.has_value() && lost.empty() && has_operations(*read));
-  QVERIFY((*read)[part::operations]->options == before);
-  QVERIFY(after(*read, few_operations())[part::operations] != (*read)[part::operations]);
-}
-
 void OperationsTest::ThoseOfAFormerModelAreNotSaved() {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
@@ -160,11 +141,9 @@ void OperationsTest::WhatIsOutOfRangeInTheCaseIsNamed() {
   const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
   save_case(path, after(phantom_case(), few_operations()), RunContext());
   const std::string text = read_file(path / "case.json");
-  for (const auto& [field, was, wrong] :
-       {std::tuple{"gas_pa", "\"gas_pa\": 80.0", "\"gas_pa\": 1e300"},
-        std::tuple{"volume_change", "\"volume_change\": 0.1,", "\"volume_change\": 2.0,"},
-        std::tuple{"seed", "\"seed\": 1", "\"seed\": -1"},
-        std::tuple{"modes", "\"modes\": 60", "\"modes\": \"many\""}}) {
+  for (const auto& [field, was, wrong] : {std::tuple{"gas_pa", "\"gas_pa\": 80.0", "\"gas_pa\": 1e300"},
+                                          std::tuple{"seed", "\"seed\": 1", "\"seed\": -1"},
+                                          std::tuple{"modes", "\"modes\": 60", "\"modes\": \"many\""}}) {
     std::string changed = text;
     QVERIFY2(text.find(was) != std::string::npos, was);
     changed.replace(text.find(was), std::string(was).size(), wrong);

@@ -50,14 +50,6 @@ fem::NodalColumns unforeseen_of(const PatientModel& model, const OperationOption
   return unforeseen_motions(model, forces, context);
 }
 
-/// The organ grows by one standard deviation about its middle, alike everywhere: 3 N x 1, or x 0 where it
-/// keeps its volume. It has no rigid motion in it.
-fem::NodalColumns growth_of(const Points& rest, double volume_change) {
-  if (volume_change == 0.0) return fem::NodalColumns(rest.size(), 0);
-  const Points grown = volume_change / 3.0 * (rest.rowwise() - rest.colwise().mean());
-  return Eigen::Map<const Eigen::VectorXd>(grown.data(), grown.size());
-}
-
 /// One operation's loads, each in standard deviations.
 struct Draw {
   /// kLoads: of those to which the organ answers about linearly.
@@ -187,24 +179,12 @@ Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd
   return factors * eigen.eigenvectors().rightCols(kept).rowwise().reverse();
 }
 
-fem::NodalColumns side_by_side(const std::vector<fem::NodalColumns>& parts) {
-  Eigen::Index columns = 0;
-  for (const fem::NodalColumns& part : parts) columns += part.cols();
-  fem::NodalColumns all(parts.front().rows(), columns);
-  columns = 0;
-  for (const fem::NodalColumns& part : parts) {
-    all.middleCols(columns, part.cols()) = part;
-    columns += part.cols();
-  }
-  return all;
-}
-
 }  // namespace
 
 bool OperationOptions::operator==(const OperationOptions& other) const {
   const auto all = [](const OperationOptions& o) {
     return std::tie(o.operations, o.modes, o.gravity, o.gas_pa, o.bed_m, o.ligament_m, o.contact_spread,
-                    o.unforeseen_m, o.volume_change, o.young_modulus, o.poisson_ratio, o.lesions);
+                    o.unforeseen_m, o.young_modulus, o.poisson_ratio, o.lesions);
   };
   return all(*this) == all(other);
 }
@@ -220,8 +200,6 @@ void OperationOptions::validate() const {
   demand(ligament_m >= 0.0 && ligament_m <= 0.1, "ligament_m", ligament_m, "Give a number from 0 to 0.1 m");
   demand(unforeseen_m >= 0.0 && unforeseen_m <= 0.05, "unforeseen_m", unforeseen_m,
          "Give a number from 0 to 0.05 m");
-  demand(volume_change >= 0.0 && volume_change <= 0.5, "volume_change", volume_change,
-         "Give a number from 0 to 0.5");
   const auto is_modulus = [](double pascals) { return pascals >= 1.0 && pascals <= 1e9; };
   demand(is_modulus(young_modulus), "young_modulus", young_modulus, "Give a number from 1 to 1e9 Pa");
   demand(poisson_ratio >= 0.0 && poisson_ratio < 0.5, "poisson_ratio", poisson_ratio,
@@ -242,8 +220,7 @@ Points OperationPrior::shape(const Points& rest, const Eigen::VectorXd& amplitud
 OperationPrior unknown_operations(const PatientModel& model, const OperationOptions& options,
                                   const RunContext& context) {
   OperationPrior prior;
-  prior.modes = side_by_side({unforeseen_of(model, options, kUnknownMotion, context),
-                              growth_of(model.mesh.vertices, options.volume_change)});
+  prior.modes = unforeseen_of(model, options, kUnknownMotion, context);
   return prior;
 }
 
@@ -288,7 +265,8 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
   const Eigen::MatrixXd foreseen = components(motions, loads, options.modes);
   const fem::NodalColumns unforeseen = unforeseen_of(model, options, options.unforeseen_m, context);
   if (context.cancelled()) return std::nullopt;
-  prior.modes = side_by_side({foreseen, unforeseen, growth_of(model.mesh.vertices, options.volume_change)});
+  prior.modes.resize(foreseen.rows(), foreseen.cols() + unforeseen.cols());
+  prior.modes << foreseen, unforeseen;
   return prior;
 }
 

@@ -21,8 +21,7 @@ using nlohmann::json;
 constexpr const char* kFile = "operations.vtu";
 constexpr const char* kModes = "modes_m";  // N x 3 K: x, y, z of the first mode, of the second, ...
 
-/// Every number of the options by its name in case.json, with its bounds there, but for those of which older
-/// cases say nothing.
+/// Every number of the options by its name in case.json, with its bounds there.
 template <class Options, class Visit>
 void each_option(Options& options, const Visit& visit) {
   visit("operations", options.operations, 40.0, 1e5);
@@ -84,7 +83,6 @@ json save(const CaseState& state, const CaseFolder& folder) {
              {"motion_mean_mm", 1e3 * known.prior->mean_motion},
              {"young_modulus", known.options.young_modulus},
              {"poisson_ratio", known.options.poisson_ratio},
-             {"volume_change", known.options.volume_change},
              {"lesions", lesions_of(known.options)}};
   each_option(known.options,
               [&](const char* name, const auto& value, double, double) { entry[name] = value; });
@@ -104,9 +102,6 @@ std::shared_ptr<const SimulatedOperations> read(const CaseState& state, const js
     value = ranged<std::remove_reference_t<decltype(value)>>(folder.path, entry, name, least, most);
   });
   read_stiffness(known->options, entry, folder);
-  // Cases of before: every organ kept its volume.
-  known->options.volume_change =
-      entry.contains("volume_change") ? ranged<double>(folder.path, entry, "volume_change", 0.0, 0.5) : 0.0;
   known->seed = ranged<std::uint64_t>(folder.path, entry, "seed", 0.0, 1.8e19);
   TetFile file = read_tet_file(path, LengthUnit::millimetre);
   const Eigen::MatrixXd& rows = file.point_data[kModes];

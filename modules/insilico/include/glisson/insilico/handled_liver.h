@@ -11,8 +11,7 @@
 
 namespace glisson::insilico {
 
-/// What is done to the liver. None of it is what `registration` simulates beforehand; of the volume it knows
-/// that it may change, not how.
+/// What is done to the liver. None of it is what `registration` simulates beforehand.
 enum class Handling {
   lifted,   ///< a tool takes a lobe by its margin and lifts it off the bed
   pressed,  ///< a broad retractor presses the front

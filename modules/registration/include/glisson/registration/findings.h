@@ -42,8 +42,7 @@ struct Findings {
   /// Probability that the organ has changed between several looks.
   double looks_differ = std::numeric_limits<double>::quiet_NaN();
   double elsewhere = 0.0;  ///< probability that the organ is more than 20 mm away from where it was put
-  /// How much larger than the model the organ would have to be, beyond what changes its volume, a share of
-  /// its length, and the standard deviation.
+  /// How much larger than the model the organ would have to be, a share, and its standard deviation.
   double size = 0.0, size_sigma = std::numeric_limits<double>::infinity();
   double volume_change = 0.0;  ///< of the organ as it was put since the CT, a share of its volume there
   double expected = 0.0;       ///< mean expected error of the nodes

@@ -23,13 +23,6 @@ namespace glisson::registration {
 /// a node that they cause, rms, and how far one spreads, m.
 inline constexpr double kUnforeseenMotion = 4e-3, kUnforeseenSpread = 35e-3;
 
-/// By which share of its volume in the CT the liver differs under the laparoscope, root mean square. Gas
-/// presses blood out of it: 12 % were gone in 15 people under 12 mmHg (Nainamalai et al., Surg Endosc 2025),
-/// 13 with a deviation of 7 in ten pigs, in which a deep breath, as for a CT, gave 7 ("Effects of
-/// laparoscopy, laparotomy, and respiratory phase on liver volume in a live porcine model"), 14 % rms.
-/// Whether there is gas nobody says: even odds halve the square.
-inline constexpr double kVolumeChange = 0.1;
-
 /// Which operations are simulated: how many, with what loads, on what tissue.
 struct OperationOptions {
   int operations = 160;  ///< simulated
@@ -41,7 +34,6 @@ struct OperationOptions {
   double ligament_m = 0.007;    ///< by which the abdominal wall takes the falciform ligament along
   double contact_spread = 0.5;  ///< of the logarithm of the stiffness of bed, diaphragm and ligament
   double unforeseen_m = kUnforeseenMotion;  ///< 0: there are none
-  double volume_change = kVolumeChange;     ///< of the whole organ, a share of its volume; 0: it keeps it
   /// Pa, of the parenchyma
   double young_modulus = fem::CompositeOptions().parenchyma.young_modulus;
   double poisson_ratio = fem::CompositeOptions().parenchyma.poisson_ratio;
@@ -58,7 +50,7 @@ struct OperationOptions {
 struct OperationPrior {
   /// 3 N x K: displacement of each node (x, y, z of the first, then of the second, ...) by one standard
   /// deviation of each component, metres, in the CT's frame, free of rigid motion: first the operations', the
-  /// largest first, then the unforeseen forces', then the change of volume. Their covariances add up.
+  /// largest first, then the unforeseen forces'. Their covariances add up.
   fem::NodalColumns modes;
   int operations = 0;        ///< of which an equilibrium was found
   double mean_motion = 0.0;  ///< of a node, over all nodes and simulated operations, metres
@@ -67,9 +59,9 @@ struct OperationPrior {
   Points shape(const Points& rest, const Eigen::VectorXd& amplitudes) const;
 };
 
-/// Where operations cannot be simulated: unforeseen forces, which move a node by 8 mm (rms), and the change
-/// of volume. @param options of which moduli, Poisson's ratio and the change of volume are taken. Cancelled:
-/// without modes.
+/// Where operations cannot be simulated: unforeseen forces alone, which move a node by 8 mm (rms).
+/// @param options of which moduli and Poisson's ratio are taken.
+/// Cancelled: without modes.
 OperationPrior unknown_operations(const PatientModel& model, const OperationOptions& options = {},
                                   const RunContext& context = {});
 
