@@ -46,6 +46,9 @@ void refuse_idle_options(const Arguments& arguments, const experiments::Proof& p
   for (const char* name : {"real-only", "development-only", "quick", "looks", "long", "resume"})
     if (!takes(proof, name))
       arguments.refuse_idle(QStringLiteral("glisson prove ") + QLatin1String(proof.name), {name});
+  if (arguments.has("real-only"))  // the long films are of the theatre
+    arguments.refuse_idle(QStringLiteral("glisson prove %1 --real-only").arg(QLatin1String(proof.name)),
+                          {"long"});
 }
 
 experiments::ProofChoices choices_of(const Arguments& arguments) {

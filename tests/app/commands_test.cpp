@@ -166,6 +166,8 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"simulate", "--static", "--steps", "9", "--model", "m.vtu", "--load", "l.json", "--out", "o"},
           "--steps: means nothing with --static", 2);
   refused({"prove", "live", "--out", "o", "--quick"}, "--quick: means nothing with glisson prove live", 2);
+  refused({"prove", "live", "--out", "o", "--real-only", "--long"},
+          "--long: means nothing with glisson prove live --real-only", 2);
   refused({"demo", "--patient", ".", "--shape", "2"}, "--shape: means nothing with --patient", 2);
 }
 
