@@ -128,6 +128,7 @@ class Builder {
     const auto aligned = aligned_shapes(-1, true);
     const Points& mean = gauge_;
     std::vector<double> distances;
+    distances.reserve(aligned.size());
     for (const Points& shape : aligned) distances.push_back((shape - mean).norm());
     const double middle = upper_median(distances);
     const double limit =
@@ -263,6 +264,7 @@ class Builder {
                                          Structure::anterior_margin};
     if (std::find(kMeet.begin(), kMeet.end(), structure) == kMeet.end()) return modes_for({observed});
     std::vector<std::vector<Observation>> all;
+    all.reserve(kMeet.size());
     for (const Structure one : kMeet) all.push_back(observations_of(one));
     std::erase_if(all, [](const auto& one) { return one.size() < kLeastMembers; });
     return modes_for(all);

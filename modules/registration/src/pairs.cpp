@@ -49,6 +49,7 @@ int spread(int k, int count, int wanted) { return static_cast<int>(static_cast<l
 std::vector<int> thinned_rows(const LabelledCloud& cloud, int maximum) {
   constexpr int kOfLandmark = 5;  // as many as tell a margin that lies elsewhere
   std::vector<int> rows;
+  rows.reserve(static_cast<std::size_t>(maximum));
   for (int k = 0; k < maximum; ++k) rows.push_back(spread(k, cloud.size(), maximum));
   struct Landmark {
     std::vector<int> all;
@@ -81,6 +82,7 @@ std::vector<int> by_place(const Points& points) {
     return (bits | bits << 2U) & 0x09249249U;
   };
   std::vector<std::pair<std::uint32_t, int>> cells;
+  cells.reserve(static_cast<std::size_t>(points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     std::uint32_t cell = 0;
     for (int axis = 0; axis < 3; ++axis)
