@@ -42,10 +42,7 @@ Film make_film(int frames, QSize size) {
   auto synthetic = experiments::synthetic_model(1, RunContext());
   Film film;
   film.model = synthetic->model;
-  PatientModel shown;
-  shown.surfaces = std::move(synthetic->patient.surfaces);
-  shown.vessels = std::move(synthetic->patient.trees);
-  shown.landmarks = std::move(synthetic->patient.landmarks);
+  const PatientModel shown = experiments::shown_in_theatre(std::move(synthetic->patient));
   insilico::TheatreOptions options;
   options.frames = frames;
   options.width = size.width();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/demo.h"
+#include "glisson/experiments/synthetic_model.h"
 
 #include <algorithm>
 
@@ -154,9 +155,7 @@ class DemoRun {
     result_.figures["segmentation_dice_liver"] =
         segmentation::dice(inside_liver(*state()[part::labels]), inside_liver(patient.truth));
     post(engine::BuildModel{model_options});
-    theatre_patient_.surfaces = std::move(patient.surfaces);
-    theatre_patient_.vessels = std::move(patient.trees);
-    theatre_patient_.landmarks = std::move(patient.landmarks);
+    theatre_patient_ = shown_in_theatre(std::move(patient));
   }
 
   // ---- the operating theatre ----

@@ -86,10 +86,7 @@ class Stage {
   static Cancellable<Stage> make(std::uint64_t seed, int frames, const RunContext& context) {
     auto synthetic = synthetic_model(seed, context.part(0.0, 0.5));
     if (!synthetic) return std::nullopt;
-    PatientModel shown;
-    shown.surfaces = std::move(synthetic->patient.surfaces);
-    shown.vessels = std::move(synthetic->patient.trees);
-    shown.landmarks = std::move(synthetic->patient.landmarks);
+    const PatientModel shown = shown_in_theatre(std::move(synthetic->patient));
     insilico::TheatreOptions options;
     options.seed = seed;
     options.frames = frames;

@@ -26,10 +26,7 @@ bool film(const insilico::Theatre& theatre, Filmed& filmed, const RunContext& co
 Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunContext& context) {
   auto synthetic = synthetic_model(seed, context.part(0.0, 0.35));
   if (!synthetic) return std::nullopt;
-  PatientModel shown;
-  shown.surfaces = std::move(synthetic->patient.surfaces);
-  shown.vessels = std::move(synthetic->patient.trees);
-  shown.landmarks = std::move(synthetic->patient.landmarks);
+  const PatientModel shown = shown_in_theatre(std::move(synthetic->patient));
   insilico::TheatreOptions theatre_options;
   theatre_options.seed = seed;
   theatre_options.frames = frames;

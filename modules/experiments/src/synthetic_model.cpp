@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/synthetic_model.h"
 
+#include <utility>
+
 #include "glisson/model/build.h"
 
 namespace glisson::experiments {
@@ -15,6 +17,14 @@ Cancellable<SyntheticModel> synthetic_model(std::uint64_t shape_seed, const RunC
   auto built = model::build_from_labels(patient->truth, {}, context.part(0.4, 1.0));
   if (!built) return std::nullopt;
   return SyntheticModel{std::move(*patient), std::move(built->model)};
+}
+
+PatientModel shown_in_theatre(insilico::SyntheticPatient patient) {
+  PatientModel shown;
+  shown.surfaces = std::move(patient.surfaces);
+  shown.vessels = std::move(patient.trees);
+  shown.landmarks = std::move(patient.landmarks);
+  return shown;
 }
 
 }  // namespace glisson::experiments

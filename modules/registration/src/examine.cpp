@@ -88,7 +88,7 @@ double roughness_of(const PreparedCloud& cloud, const RunContext& context) {
 
 namespace {
 
-/// m3, of the mesh with its nodes there.
+/// m3, of the mesh with its nodes there; what is turned inside out counts negative.
 double volume_of(const Points& nodes, TetMesh mesh) {
   mesh.vertices = nodes;
   return tetrahedron_volumes(mesh).sum();
@@ -123,9 +123,8 @@ Cancellable<Findings> examine(const Examined& examined, const RunContext& contex
   findings.expected = told.size() > 0 ? told.mean() : error.expected().mean();
   MovingSurface surface(examined.model, SurfaceDetail::fine);
   const Points& final_nodes = examined.registration.nodes_in_camera;
-  findings.volume_change = volume_of(final_nodes, examined.model.mesh) /
-                               volume_of(examined.model.mesh.vertices, examined.model.mesh) -
-                           1.0;
+  findings.volume_change =
+      volume_of(final_nodes, examined.model.mesh) / tetrahedron_volumes(examined.model.mesh).sum() - 1.0;
   surface.move(final_nodes);
   if (examined.in_cameras_frame) findings.hidden = hidden_share(surface, cloud, context);
   if (context.cancelled()) return std::nullopt;

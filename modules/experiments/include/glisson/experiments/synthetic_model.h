@@ -16,4 +16,7 @@ struct SyntheticModel {
 /// A member of the population, scanned at 2.5 mm; its model has the usual size. Empty: cancelled.
 Cancellable<SyntheticModel> synthetic_model(std::uint64_t shape_seed, const RunContext& context);
 
+/// What a theatre is built of: true surfaces, vessels and landmarks; no mesh.
+PatientModel shown_in_theatre(insilico::SyntheticPatient patient);
+
 }  // namespace glisson::experiments
