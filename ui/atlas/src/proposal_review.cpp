@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/atlas/proposal_review.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -175,8 +176,9 @@ void ProposalReview::make_list() {
     button->setCheckable(true);
     button->setProperty("role", "choice");
   }
-  auto* row = new QHBoxLayout;
-  for (QPushButton* button : {accept_, move_, not_visible_, undo_}) row->addWidget(button);
+  auto* row = new QGridLayout;  // two by two: German words would push a single row out of the panel
+  for (int at = 0; QPushButton * button : {accept_, move_, not_visible_, undo_})
+    row->addWidget(button, at / 2, at % 2), ++at;
   layout->addLayout(row);
   auto* brush = new QHBoxLayout;
   brush->addWidget(paint_, 1);
