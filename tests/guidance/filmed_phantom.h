@@ -52,8 +52,25 @@ inline double value_noise(const Eigen::Vector3d& p) {
   return sum;
 }
 
+/// A textured plane behind the organ. Its right part, beyond `torn_at` metres, may move by itself.
+struct Wall {
+  RigidMotion camera_from_wall;  ///< the left camera's
+  double depth = 0.17, torn_at = 1.0;
+  Eigen::Vector3d torn_by = Eigen::Vector3d::Zero();
+
+  /// In [0, 1], along a ray from an eye in the left camera's frame.
+  double texture(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray) const {
+    const RigidMotion back = camera_from_wall.inverse();
+    const Eigen::Vector3d from = back.rotation * eye + back.translation, along = back.rotation * ray;
+    Eigen::Vector3d hit = from + along * (depth - from.z()) / along.z();
+    if (hit.x() > torn_at) hit -= torn_by;
+    return 0.6 * value_noise(hit / 7e-3) + 0.4 * value_noise(hit / 3e-3);
+  }
+};
+
 inline Picture film(const PatientModel& model, const Points& nodes, const Camera& camera,
-                    const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, unsigned seed) {
+                    const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, unsigned seed,
+                    const Wall* wall = nullptr) {
   TriangleMesh surface = model.surface.mesh;
   for (int i = 0; i < surface.vertex_count(); ++i)
     surface.vertices.row(i) =
@@ -81,6 +98,8 @@ inline Picture film(const PatientModel& model, const Points& nodes, const Camera
         const double texture = 0.6 * value_noise(material / 4e-3) + 0.4 * value_noise(material / 1.8e-3);
         const double light = std::max(0.2, -n.normalized().dot(ray.normalized()));
         grey = light * (50.0 + 150.0 * texture);
+      } else if (wall != nullptr) {
+        grey = 30.0 + 100.0 * wall->texture(-rotation.transpose() * translation, rotation.transpose() * ray);
       }
       (*bytes)[static_cast<std::size_t>(y * camera.width + x)] =
           static_cast<std::uint8_t>(std::clamp(grey + noise(random), 0.0, 255.0));
@@ -89,12 +108,13 @@ inline Picture film(const PatientModel& model, const Points& nodes, const Camera
 }
 
 /// @param nodes in the left camera's frame.
-inline StereoFrame film(const PatientModel& model, const Points& nodes, const StereoRig& rig, int index) {
+inline StereoFrame film(const PatientModel& model, const Points& nodes, const StereoRig& rig, int index,
+                        const Wall* wall = nullptr) {
   StereoFrame frame;
   frame.left = film(model, nodes, rig.left, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
-                    static_cast<unsigned>(2 * index));
+                    static_cast<unsigned>(2 * index), wall);
   frame.right = film(model, nodes, rig.right, rig.right_from_left.rotation, rig.right_from_left.translation,
-                     static_cast<unsigned>(2 * index + 1));
+                     static_cast<unsigned>(2 * index + 1), wall);
   frame.index = index;
   frame.seconds = index / 30.0;
   return frame;

@@ -56,6 +56,17 @@ std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoin
   return gaps;
 }
 
+RigidMotion AnchoredPoints::common_motion(const std::vector<FollowedPoint>& points,
+                                          const registration::MovingSurface& surface) const {
+  Points seen(static_cast<Eigen::Index>(points.size()), 3), modelled = seen;
+  for (Eigen::Index i = 0; i < seen.rows(); ++i) {
+    const FollowedPoint& point = points[static_cast<std::size_t>(i)];
+    seen.row(i) = point.p_in_camera.transpose();
+    modelled.row(i) = anchor(point.id).place(surface).transpose();
+  }
+  return fit_rigid_motion(modelled, seen, {});
+}
+
 void AnchoredPoints::add(const std::vector<FollowedPoint>& points, const registration::MovingSurface& surface,
                          double stiffness, std::vector<fem::AttachedLoad>& loads) const {
   for (const FollowedPoint& point : points) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glisson/fem/composite_model.h"
+#include "glisson/geometry/rigid.h"
 #include "glisson/registration/moving_surface.h"
 #include "stereo_follower.h"
 
@@ -50,6 +51,9 @@ class AnchoredPoints {
   /// Measured minus modelled place of each point, metres. @pre all bound.
   std::vector<Eigen::Vector3d> gaps(const std::vector<FollowedPoint>& points,
                                     const registration::MovingSurface& surface) const;
+  /// The rigid motion that brings the model's places nearest to where the points were seen. @pre all bound.
+  RigidMotion common_motion(const std::vector<FollowedPoint>& points,
+                            const registration::MovingSurface& surface) const;
   /// A spring from each point's place on the model to where it was seen, weaker along the line of sight.
   void add(const std::vector<FollowedPoint>& points, const registration::MovingSurface& surface,
            double stiffness, std::vector<fem::AttachedLoad>& loads) const;

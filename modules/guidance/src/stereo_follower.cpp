@@ -138,6 +138,22 @@ bool is_seen(const Camera& camera, const cv::Mat& inside, const Eigen::Vector2d&
                                                     static_cast<int>(std::lround(at.x()))) != 0);
 }
 
+/// Both cameras' work at once: `one_side(is_left)`. @throws what either throws.
+template <class OneSide>
+void on_both_sides(const OneSide& one_side) {
+  std::exception_ptr failure;
+  std::jthread other([&] {
+    try {
+      one_side(false);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  one_side(true);
+  other.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
 /// Standard deviation of a picture's noise where `allowed` (half the size) is set, grey levels, by
 /// Immerkaer's mask (1996), which cancels slopes. From the lower quartile, in which texture weighs little; at
 /// least what rounding to whole grey levels makes.
@@ -214,30 +230,16 @@ StereoFollower::Counts StereoFollower::follow(const StereoFrame& frame) {
 StereoFollower::Counts StereoFollower::follow_from_before(const StereoFrame& frame) {
   std::vector<cv::Point2f> left, right;
   std::vector<char> good_left, good_right;
-  const auto one_side = [&](bool is_left) {
+  on_both_sides([&](bool is_left) {
     View& now = is_left ? images_->left : images_->right;
     make_view(is_left ? frame.left : frame.right, is_left ? rig_.left : rig_.right,
               is_left ? "left view" : "right view", options_,
               is_left ? &images_->left_before : &images_->right_before, now);
     auto& to = is_left ? left : right;
-    to.clear();
     (is_left ? good_left : good_right) =
         follow_both_ways(is_left ? images_->left_before : images_->right_before, now,
                          pixels(points_, is_left), to, false, options_);
-  };
-  {
-    std::exception_ptr failure;
-    std::jthread other([&] {
-      try {
-        one_side(false);
-      } catch (...) {
-        failure = std::current_exception();
-      }
-    });
-    one_side(true);
-    other.join();
-    if (failure) std::rethrow_exception(failure);
-  }
+  });
   Counts counts;
   std::vector<FollowedPoint> kept;
   kept.reserve(points_.size());
@@ -245,14 +247,36 @@ StereoFollower::Counts StereoFollower::follow_from_before(const StereoFrame& fra
     counts.left += good_left[i];
     counts.right += good_right[i];
     if (good_left[i] == 0 || good_right[i] == 0) continue;
-    FollowedPoint point = points_[i];
-    point.left = pixel(left[i]);
-    point.right = pixel(right[i]);
-    if (!is_seen_by_both(point)) continue;
-    if (triangulate_into(point)) kept.push_back(point);
+    if (const auto point = passed(points_[i], pixel(left[i]), pixel(right[i]))) kept.push_back(*point);
   }
   points_ = std::move(kept);
   return counts;
+}
+
+std::vector<std::optional<FollowedPoint>> StereoFollower::carried(
+    const std::vector<FollowedPoint>& points) const {
+  std::vector<std::optional<FollowedPoint>> result(points.size());
+  if (points.empty()) return result;
+  std::vector<cv::Point2f> left, right;
+  std::vector<char> good_left, good_right;
+  on_both_sides([&](bool is_left) {
+    (is_left ? good_left : good_right) = follow_both_ways(
+        is_left ? images_->left_before : images_->right_before, is_left ? images_->left : images_->right,
+        pixels(points, is_left), is_left ? left : right, false, options_);
+  });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (good_left[i] != 0 && good_right[i] != 0)
+      result[i] = passed(points[i], pixel(left[i]), pixel(right[i]));
+  return result;
+}
+
+std::optional<FollowedPoint> StereoFollower::passed(const FollowedPoint& point, const Eigen::Vector2d& left,
+                                                    const Eigen::Vector2d& right) const {
+  FollowedPoint result = point;
+  result.left = left;
+  result.right = right;
+  if (!is_seen_by_both(result) || !triangulate_into(result)) return std::nullopt;
+  return result;
 }
 
 bool StereoFollower::is_seen_by_both(const FollowedPoint& point) const {
@@ -280,11 +304,9 @@ bool StereoFollower::put(std::size_t index, const Eigen::Vector2d& left, const E
 bool StereoFollower::add(int id, const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
   FollowedPoint point;
   point.id = id;
-  point.left = left;
-  point.right = right;
-  if (!is_seen_by_both(point) || !triangulate_into(point)) return false;
-  points_.push_back(point);
-  return true;
+  const auto passing = passed(point, left, right);
+  if (passing) points_.push_back(*passing);
+  return passing.has_value();
 }
 
 const cv::Mat& StereoFollower::grey(bool left) const {
@@ -311,7 +333,19 @@ void StereoFollower::forget_last() {
 
 int StereoFollower::replenish(const Expected& expected) {
   const int wanted = options_.points - static_cast<int>(points_.size());
-  if (wanted <= 0) return 0;
+  std::vector<FollowedPoint> found = find(expected, wanted, points_, cv::Mat());
+  for (FollowedPoint& point : found) {
+    point.id = next_id_++;
+    points_.push_back(point);
+  }
+  return static_cast<int>(found.size());
+}
+
+std::vector<FollowedPoint> StereoFollower::find(const Expected& expected, int wanted,
+                                                const std::vector<FollowedPoint>& others,
+                                                const cv::Mat& where) const {
+  std::vector<FollowedPoint> found;
+  if (wanted <= 0) return found;
   const View& left = images_->left;
   // Corners are looked for at half the size: a quarter of the time, and Lucas-Kanade needs no better place.
   cv::Mat half, raw, allowed;
@@ -324,8 +358,9 @@ int StereoFollower::replenish(const Expected& expected) {
     cv::resize(images_->tissue, tissue, half.size(), 0, 0, cv::INTER_NEAREST);
     allowed &= tissue > 0;
   }
+  if (!where.empty()) allowed &= where > 0;
   const double spacing = this->spacing();
-  for (const FollowedPoint& point : points_)
+  for (const FollowedPoint& point : others)
     cv::circle(allowed, cv::Point(static_cast<int>(point.left.x() / 2), static_cast<int>(point.left.y() / 2)),
                static_cast<int>(spacing / 2), cv::Scalar(0), cv::FILLED);
   const std::vector<cv::Point2f> corners = corners_of(left.grey, half, allowed, 3 * wanted, spacing / 2);
@@ -344,18 +379,14 @@ int StereoFollower::replenish(const Expected& expected) {
   }
   const View right = start.empty() ? View() : at_levels_of(left, images_->right, options_);
   const std::vector<char> good = follow_both_ways(left, right, start, guess, true, options_);
-  int added = 0;
-  for (std::size_t i = 0; i < start.size() && added < wanted; ++i) {
+  for (std::size_t i = 0; i < start.size() && static_cast<int>(found.size()) < wanted; ++i) {
     if (good[i] == 0) continue;
     FollowedPoint point;
     point.left = pixel(start[i]);
     point.right = pixel(guess[i]);
-    if (!triangulate_into(point)) continue;
-    point.id = next_id_++;
-    points_.push_back(point);
-    ++added;
+    if (triangulate_into(point)) found.push_back(point);
   }
-  return added;
+  return found;
 }
 
 }  // namespace glisson::guidance

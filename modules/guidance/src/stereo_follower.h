@@ -61,9 +61,16 @@ class StereoFollower {
   /// Takes the last accepted frame and points as the place to follow from again (the present frame was no
   /// good); undoes the last follow().
   void forget_last();
+  /// Other points of the last frame, where they are in the present one: through the same gates. Empty: they
+  /// failed one. @pre follow() or begin() was called, and not undone.
+  std::vector<std::optional<FollowedPoint>> carried(const std::vector<FollowedPoint>& points) const;
   /// Finds new points in the present frame, away from those that there are, up to the number wanted.
   /// @return how many were added, at the end of points().
   int replenish(const Expected& expected);
+  /// New points that are none of points(), at most `wanted`, away from those of `others`; their ids are 0.
+  /// @param where half the left view's size, non-zero where they may be; empty: everywhere.
+  std::vector<FollowedPoint> find(const Expected& expected, int wanted,
+                                  const std::vector<FollowedPoint>& others, const cv::Mat& where) const;
   /// Pixels that new points keep from others.
   double spacing() const;
 
@@ -81,6 +88,9 @@ class StereoFollower {
   /// As follow(), from the pictures that were made the ones before.
   Counts follow_from_before(const StereoFrame& frame);
   bool is_seen_by_both(const FollowedPoint& point) const;
+  /// `points` with the pixels that were found, where they pass the gates between the two cameras.
+  std::optional<FollowedPoint> passed(const FollowedPoint& point, const Eigen::Vector2d& left,
+                                      const Eigen::Vector2d& right) const;
   /// @return false: the rays do not meet.
   bool triangulate_into(FollowedPoint& point) const;
 

@@ -17,6 +17,7 @@
 #include "glisson/registration/refusal.h"
 #include "hand_corrections.h"
 #include "held_out.h"
+#include "holding.h"
 #include "judge.h"
 #include "look_again.h"
 #include "point_memory.h"
@@ -114,6 +115,8 @@ struct Tracker::Impl {
     relocator->remember(first.left, body.surface());
     clock = {};
     clock.tick(first.seconds);
+    holding.emplace(patient, body.positions(), rig);
+    holding->scenery().replenish(*follower, body.surface().mesh(), held_out->masked(), clock);
     since_key_frame = 0.0;
     look_again = {};
     judge.reset();
@@ -158,18 +161,10 @@ struct Tracker::Impl {
     anchors.retain(follower->points());
   }
 
-  /// The common rigid motion of the points that agree is taken over at once, with what holds the organ:
-  /// nothing in them tells whether the camera or the organ moved, and mechanics would lag behind it.
+  /// The motion of what holds the organ is taken over at once, by it and the organ: mechanics would lag.
   void follow_camera() {
-    if (!options.scope_moves || !options.fixed_nodes.empty()) return;
-    const std::vector<FollowedPoint>& points = follower->points();
-    const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, body.surface());
-    Points seen_now(static_cast<Eigen::Index>(points.size()), 3), modelled = seen_now;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      seen_now.row(static_cast<Eigen::Index>(i)) = points[i].p_in_camera.transpose();
-      modelled.row(static_cast<Eigen::Index>(i)) = (points[i].p_in_camera - gaps[i]).transpose();
-    }
-    body.move(fit_rigid_motion(modelled, seen_now, {}));
+    if (options.scope_moves && options.fixed_nodes.empty())
+      body.move(holding->follow(*follower, anchors, body.surface()));
   }
 
   void look_for_organ(const StereoFrame& frame, Validity validity) {
@@ -196,6 +191,7 @@ struct Tracker::Impl {
         validity == Validity::surface_apart)
       return;
     body.move(*found);
+    holding->found(*found);
     follower->begin(frame, parts);
     anchors.clear();
     memory->forget_since(last_valid);
@@ -215,6 +211,7 @@ struct Tracker::Impl {
     const Points motion = hand->carried(shape - hand->shape(), body.positions());
     const registration::MovingSurface before = body.surface();
     body.take(std::move(resting), motion);
+    holding->take(shape);
     follower->keep(anchors.rebind(follower->points(), change.of_followed));
     anchors.retain(follower->points());
     memory->rebind(change.of_remembered, before, body.surface());
@@ -326,6 +323,7 @@ struct Tracker::Impl {
     overlay.residual = mean_norm(anchors.gaps(follower->points(), body.surface()));
     if (overlay.residual > options.maximum_residual) return Validity::residual_too_large;
     if (static_cast<int>(follower->points().size()) < (1.0 - kMissing) * options.points) replenish();
+    holding->scenery().replenish(*follower, body.surface().mesh(), held_out->masked(), clock);
     return Validity::valid;
   }
 
@@ -404,6 +402,7 @@ struct Tracker::Impl {
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   std::optional<PointMemory> memory;
+  std::optional<Holding> holding;                                ///< from begin() on
   std::optional<HandCorrections> hand;                           ///< from begin() on
   std::optional<ReducedViews> views;                             ///< from begin() on
   std::shared_ptr<const PictureMask> given_mask, followed_mask;  ///< as it came; of the reduced views

@@ -41,12 +41,12 @@ struct TrackerOptions {
   fem::CompositeOptions materials;
   double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances, Pa; 0: none
   double boundary_length = 0.05;         ///< of those structures, m: k = E A / L
-  /// N/m a structure, of what they hang on: the cava breathes with the diaphragm. Large: fixed ends, as in
-  /// the paper. Why not: see the README.
-  double boundary_tether = 5.0;
-  /// A hand holds the laparoscope: the rigid part of what is seen to move is the whole patient's before the
-  /// camera, boundary springs' places included. False, or nodes are fixed: the camera stands, as in the
-  /// paper.
+  /// N/m a structure, of what they hang on, which breathes with the diaphragm. Large: fixed ends, as in the
+  /// paper. Why not: see the README.
+  double boundary_tether = 100.0;
+  /// A hand holds the laparoscope, and the patient breathes: the rigid motion that most of the organ in sight
+  /// shows, near to that of the scene beside it, is the whole patient's before the camera, boundary springs'
+  /// places included. False, or nodes are fixed: the camera stands, as in the paper.
   bool scope_moves = true;
   std::vector<int> fixed_nodes;  ///< 0-based, of the model's mesh; they stay where the start has them
   JudgeOptions judge;            ///< of pictures; clouds: see follow(cloud)
