@@ -6275,6 +6275,10 @@
         <translation>%1 ml Gewebe, das wie die Leber aussieht und an ihr hängt, wurden als ein anderes Organ weggelassen. Falls es Leber ist, wie ein Lappen hinter einem Tumor, klicken Sie hinein.</translation>
     </message>
     <message>
+        <source>%1 ml of tissue in the liver are darker than it, and nobody clicked there. A tumour or cyst: click it as a lesion. Gallbladder, stomach or bowel: click it as that, or as &quot;not liver&quot;.</source>
+        <translation>%1 ml Gewebe in der Leber sind dunkler als sie, und niemand hat dort geklickt. Ein Tumor oder eine Zyste: als Herd anklicken. Gallenblase, Magen oder Darm: als das oder als „Nicht Leber“ anklicken.</translation>
+    </message>
+    <message>
         <source>The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no surface. Segment a larger region.</source>
         <translation>Die Leber endet am Rand des segmentierten Bereichs: %1 cm² dort sind ein Schnitt und keine Oberfläche. Segmentieren Sie einen größeren Bereich.</translation>
     </message>
@@ -9131,6 +9135,22 @@
         <translation>live: einzelne Herde mit unter 3 mm Fehler ohne Störung, die gezeichnet werden, Anteil</translation>
     </message>
     <message>
+        <source>live, long: mean error since the start where the organ has moved, mm</source>
+        <translation>live, lang: mittlerer Fehler seit dem Anfang, wo sich das Organ bewegt hat, mm</translation>
+    </message>
+    <message>
+        <source>live, long: how far it has moved there, mean, mm</source>
+        <translation>live, lang: wie weit es sich dort bewegt hat, im Mittel, mm</translation>
+    </message>
+    <message>
+        <source>live, long: error over the organ&apos;s own motion, in the worst film (hands, tools)</source>
+        <translation>live, lang: Fehler geteilt durch die eigene Bewegung des Organs, im schlechtesten Film (Hände, Werkzeuge)</translation>
+    </message>
+    <message>
+        <source>live, long: frames over 10 mm at a lesion that are shown</source>
+        <translation>live, lang: gezeigte Bilder, die an einem Herd um mehr als 10 mm falsch sind</translation>
+    </message>
+    <message>
         <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
         <translation>Registrierungen mit über 10 mm an einem Herd, verworfen oder angezweifelt, Anteil</translation>
     </message>
@@ -11632,6 +11652,13 @@
     <message>
         <source>Network: %1</source>
         <translation>Netz: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::NotesBox</name>
+    <message>
+        <source>Show it</source>
+        <translation>Zeigen</translation>
     </message>
 </context>
 <context>

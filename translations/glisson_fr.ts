@@ -6275,6 +6275,10 @@
         <translation>%1 ml de tissu qui ressemble au foie et qui y tient ont été laissés de côté, comme un autre organe. S’il s’agit du foie, comme un lobe derrière une tumeur, cliquez dedans.</translation>
     </message>
     <message>
+        <source>%1 ml of tissue in the liver are darker than it, and nobody clicked there. A tumour or cyst: click it as a lesion. Gallbladder, stomach or bowel: click it as that, or as &quot;not liver&quot;.</source>
+        <translation>%1 ml de tissu dans le foie sont plus sombres que lui, et personne n’y a cliqué. Tumeur ou kyste : cliquez-le comme lésion. Vésicule, estomac ou intestin : cliquez-le comme tel, ou comme « Pas le foie ».</translation>
+    </message>
+    <message>
         <source>The liver ends on the border of the region that was segmented: %1 cm² there are a cut and no surface. Segment a larger region.</source>
         <translation>Le foie se termine au bord de la région segmentée : %1 cm² y sont une coupe et non une surface. Segmentez une région plus grande.</translation>
     </message>
@@ -9131,6 +9135,22 @@
         <translation>live : lésions isolées à moins de 3 mm sans défaut, dessinées, part</translation>
     </message>
     <message>
+        <source>live, long: mean error since the start where the organ has moved, mm</source>
+        <translation>direct, long : erreur moyenne depuis le début, là où l&apos;organe a bougé, mm</translation>
+    </message>
+    <message>
+        <source>live, long: how far it has moved there, mean, mm</source>
+        <translation>direct, long : de combien il y a bougé, en moyenne, mm</translation>
+    </message>
+    <message>
+        <source>live, long: error over the organ&apos;s own motion, in the worst film (hands, tools)</source>
+        <translation>direct, long : erreur rapportée au mouvement propre de l&apos;organe, dans le pire film (mains, instruments)</translation>
+    </message>
+    <message>
+        <source>live, long: frames over 10 mm at a lesion that are shown</source>
+        <translation>direct, long : images montrées qui sont fausses de plus de 10 mm à une lésion</translation>
+    </message>
+    <message>
         <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
         <translation>recalages à plus de 10 mm à une lésion, refusés ou mis en doute, part</translation>
     </message>
@@ -11632,6 +11652,13 @@
     <message>
         <source>Network: %1</source>
         <translation>Réseau : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::NotesBox</name>
+    <message>
+        <source>Show it</source>
+        <translation>Montrer</translation>
     </message>
 </context>
 <context>

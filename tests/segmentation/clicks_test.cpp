@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What clicks do to the labels, on a phantom that is known.
 #include <QTest>
+#include <cmath>
+#include <numbers>
 
 #include "glisson/core/error.h"
 #include "glisson/segmentation/kept_notes.h"
@@ -93,6 +95,7 @@ class ClicksTest : public QObject {
   void ALiverClickInATumourTakesIt();
   void TumoursThatTouchArePartedAtTheNeck();
   void ALobeThatIsLeftOutIsTold();
+  void ADarkBodyThatNobodyClickedIsTold();
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
   void OnFineVoxelsNoIslandIsMadeEither();
@@ -210,6 +213,30 @@ void ClicksTest::ALobeThatIsLeftOutIsTold() {
   QCOMPARE(label_at(whole, second), structure::kParenchyma);
   QVERIFY(!has_note(whole, "liver.perhaps_more"));
   QVERIFY(!is_settled(*doubt, half.labels) && is_settled(*doubt, whole.labels));
+}
+
+void ClicksTest::ADarkBodyThatNobodyClickedIsTold() {
+  // Both are in the liver, the larger one first.
+  std::vector<std::string> told;
+  std::ranges::copy_if(found_.report.notes, std::back_inserter(told),
+                       [](const std::string& note) { return note.starts_with("liver.dark_body"); });
+  QCOMPARE(told.size(), std::size_t{2});
+  for (const auto& [note, radius] : {std::pair{told[0], kTumourRadius}, {told[1], kLesionRadius}}) {
+    const double ml = 4.0 / 3.0 * std::numbers::pi * std::pow(0.1 * radius, 3);
+    const double found = std::stod(note.substr(note.find(' ')));
+    QVERIFY2(found > 0.6 * ml && found < 1.3 * ml, note.c_str());
+  }
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.lesions = {test::points_at(phantom_.image, {kTumour})};
+  const Segmented one = segmented(phantom_.image, seeds);
+  QVERIFY(has_note(one, "liver.dark_body"));
+  QVERIFY(is_settled(told[0], one.labels) && !is_settled(told[1], one.labels));
+  seeds.lesions.push_back(test::points_at(phantom_.image, {kLesion}));
+  QVERIFY(!has_note(segmented(phantom_.image, seeds), "liver.dark_body"));
+  // Who has clicked it as liver has seen it.
+  seeds.lesions.clear();
+  seeds.liver = test::points_at(phantom_.image, {{83, 67, 48}, {72, 80, 64}, {88, 53, 61}, kTumour, kLesion});
+  QVERIFY(!has_note(segmented(phantom_.image, seeds), "liver.dark_body"));
 }
 
 void ClicksTest::ANotLiverClickBinds() {

@@ -15,6 +15,7 @@
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/review.h"
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/segmentation/notes_box.h"
 #include "segmentation_window.h"
 
 namespace glisson {
@@ -43,7 +44,24 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void EditPanelFitsItsColumnInEveryLanguage_data();
   void EditPanelFitsItsColumnInEveryLanguage();
   void WholePathByHandIsSavedWithItsHistory();
+  void ANoteThatTellsAPlaceShowsIt();
 };
+
+void SegmentationPanelTest::ANoteThatTellsAPlaceShowsIt() {
+  open_labels();
+  auto* box = window_->findChild<ui::NotesBox*>();
+  QVERIFY(box != nullptr);
+  box->show_proposal({"liver.small", "liver.dark_body 12 @30.0000,-4.0000,8.0000"});
+  QCOMPARE(box->count(), std::size_t{2});
+  auto* words = find<QLabel>("label_notes");
+  QVERIFY2(words->text().count(QLatin1String("<a ")) == 1 && words->text().contains(QLatin1String("12 ml")),
+           qPrintable(words->text()));
+  emit words->linkActivated(QStringLiteral("0"));  // tells no place
+  const auto crosshair = [&] { return window_->views().state().crosshair().xyz; };
+  QVERIFY((crosshair() - Eigen::Vector3d(0.03, -0.004, 0.008)).norm() > 5e-3);
+  emit words->linkActivated(QStringLiteral("1"));
+  QVERIFY((crosshair() - Eigen::Vector3d(0.03, -0.004, 0.008)).norm() < 2e-3);
+}
 
 void SegmentationPanelTest::WithoutACtAToolSaysWhatToDoFirst() {
   session().set_tool(ui::edit_tool("paint"));

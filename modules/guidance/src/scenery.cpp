@@ -18,7 +18,7 @@ constexpr int kLeast = 12;
 constexpr double kLeastShare = 0.6;
 constexpr double kAgrees = 1.0;               ///< pixels from where the scene has it
 constexpr double kNoise = 0.3;                ///< pixels, of a followed point; more where they scatter more
-constexpr double kCertain = 2e-3;             ///< metres at the organ, one deviation in any direction
+constexpr double kCertain = 1e-3;             ///< metres at the organ, one deviation in any direction
 constexpr double kMostLooks = 90.0;           ///< that count of a place: the scene breathes, too
 constexpr double kBesideOrgan = 8e-3;         ///< metres: the model's outline may be off by that
 constexpr double kFartherThanOrgan = 1.3;     ///< a first guess of the depth
@@ -101,7 +101,6 @@ void Scenery::begin() {
   points_.clear();
   places_.clear();
   camera_from_scene_ = {};
-  look_at_ = wait_ = 0.0;
 }
 
 void Scenery::look(std::size_t index) {

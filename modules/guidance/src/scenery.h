@@ -20,12 +20,12 @@ class Scenery {
  public:
   explicit Scenery(const StereoRig& rig) : rig_(rig) {}
 
-  /// Nothing is known: where the scope is now is where it begins.
+  /// Nothing is known: where the scope is now is where it begins. New places are looked for when it is time.
   void begin();
   /// Follows what is known into the follower's present frame. @param otherwise how the scene has moved in the
   /// left camera's frame since the last one if nothing here can tell (the organ's common motion); also where
   /// the search begins. @param organ its middle, metres, in the present frame: there the motion must be
-  /// known to 2 mm.
+  ///   known to 1 mm.
   /// @return the scene's motion in the camera's frame since the last frame; empty: too few points, most of
   ///   them disagree, or they tell too little of it.
   std::optional<RigidMotion> follow(const StereoFollower& follower, const RigidMotion& otherwise,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bites.h"
+#include "dark_bodies.h"
 #include "enclosed.h"
 #include "fronts.h"
 #include "glisson/core/error.h"
@@ -431,6 +432,9 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   if (bodies.liver.count() > 0) hold_clicks(image.grid, seeds, bodies.liver_phi);
   if (bodies.liver.count() > 0 && anew.lesions && !add_lesions(image, seeds, ct, bodies, context))
     return std::nullopt;
+  std::vector<Eigen::Vector3i> seen = clicks.inside;
+  seen.insert(seen.end(), clicks.lesions.begin(), clicks.lesions.end());
+  bodies.dark = dark_bodies(ct, bodies, seen);
   return bodies;
 }
 

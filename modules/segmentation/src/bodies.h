@@ -25,6 +25,13 @@ struct Kept {
   std::vector<std::uint8_t> liver;
 };
 
+/// Tissue in the liver that is darker than it: a tumour or cyst that nobody clicked, or a gallbladder or
+/// stomach that was taken for one.
+struct DarkBody {
+  double ml = 0.0;
+  Eigen::Vector3d at_index = Eigen::Vector3d::Zero();  ///< a voxel of the image well inside of it
+};
+
 /// Liver and compact bodies, found or kept.
 struct Bodies {
   Field liver_phi;  ///< mm, negative inside; lesions united, holes filled, one piece
@@ -32,6 +39,7 @@ struct Bodies {
   Field grid;  ///< of the masks, without values
   Mask liver, cava, gallbladder;
   Doubtful doubtful;
+  std::vector<DarkBody> dark;        ///< in a liver that was found anew
   std::vector<GrownLesion> lesions;  ///< found anew, one for each list of seeds; without values where the
                                      ///< list is empty or nothing was found
 };

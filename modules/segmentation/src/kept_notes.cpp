@@ -50,20 +50,6 @@ const Points* clicks_of(std::string_view code, const Seeds& seeds) {
 
 constexpr std::string_view kPlace = " @";
 
-/// CT frame, metres. Empty: the note has no place, or none that is near a patient.
-std::optional<Eigen::Vector3d> place_in(const std::string& note) {
-  const std::size_t place = note.find(kPlace);
-  if (place == std::string::npos) return {};
-  Eigen::Vector3d mm;
-  const char *at = note.data() + place + kPlace.size(), *const end = note.data() + note.size();
-  for (double& coordinate : mm) {
-    const auto [next, failure] = std::from_chars(at, end, coordinate);
-    if (failure != std::errc() || !(std::abs(coordinate) < 1e3 * kPatientRange)) return {};
-    at = std::min(next + 1, end);  // behind the comma
-  }
-  return 1e-3 * mm;
-}
-
 /// "seed.liver_taken 4 vena_cava @..." with the number 3: "seed.liver_taken 3 vena_cava".
 std::string renumbered(const std::string& note, Eigen::Index number) {
   const std::size_t code = code_of(note).size();
@@ -81,6 +67,19 @@ double ml_inside(const LabelMap& labels) {
 
 }  // namespace
 
+std::optional<Point<CtFrame>> place_told(const std::string& note) {
+  const std::size_t place = note.find(kPlace);
+  if (place == std::string::npos) return {};
+  Eigen::Vector3d mm;
+  const char *at = note.data() + place + kPlace.size(), *const end = note.data() + note.size();
+  for (double& coordinate : mm) {
+    const auto [next, failure] = std::from_chars(at, end, coordinate);
+    if (failure != std::errc() || !(std::abs(coordinate) < 1e3 * kPatientRange)) return {};
+    at = std::min(next + 1, end);  // behind the comma
+  }
+  return Point<CtFrame>(1e-3 * mm);
+}
+
 std::string place_text(const Eigen::Vector3d& p_in_ct) {
   std::string place;
   for (const double metres : p_in_ct) {
@@ -97,7 +96,7 @@ std::vector<std::string> with_places(std::vector<std::string> notes, const Seeds
   for (std::string& note : notes) {
     const Points* clicks = clicks_of(code_of(note), seeds);
     const int number = number_in(note);
-    if (clicks == nullptr || place_in(note) || number < 1 || number > clicks->rows()) continue;
+    if (clicks == nullptr || place_told(note) || number < 1 || number > clicks->rows()) continue;
     note += place_text(clicks->row(number - 1).transpose());
   }
   return notes;
@@ -108,8 +107,8 @@ std::vector<std::string> with_numbers(const std::vector<std::string>& notes, con
   for (const std::string& note : notes) {
     std::string now = note;
     const Points* clicks = clicks_of(code_of(note), seeds);
-    if (const auto place = place_in(note); clicks != nullptr && place) {
-      const Eigen::Index number = click_number(*clicks, place->transpose());
+    if (const auto place = place_told(note); clicks != nullptr && place) {
+      const Eigen::Index number = click_number(*clicks, place->xyz.transpose());
       if (number > clicks->rows()) continue;
       now = renumbered(note, number);
     }
@@ -122,11 +121,12 @@ bool is_settled(const std::string& note, const LabelMap& labels) {
   const std::string_view code = code_of(note);
   if (code == "liver.small") return ml_inside(labels) >= kSmallLiver;
   if (code == "liver.large") return ml_inside(labels) <= kLargeLiver;
-  const auto place = place_in(note);
-  const auto voxel = place ? voxel_in(labels.voxels.grid(), std::nullopt, *place) : std::nullopt;
+  const auto place = place_told(note);
+  const auto voxel = place ? voxel_in(labels.voxels.grid(), std::nullopt, place->xyz) : std::nullopt;
   if (!voxel) return false;
   const Label label = labels.voxels.at(*voxel);
   if (code == "liver.perhaps_more") return label != structure::kBackground;
+  if (code == "liver.dark_body") return label != structure::kParenchyma;
   if (code == "seed.not_liver_taken") return !is_in_liver(label);
   return code.starts_with("seed.liver_") && is_in_liver(label);
 }

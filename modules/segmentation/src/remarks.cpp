@@ -116,14 +116,14 @@ void note_doubts(const Seeds& seeds, const Structures& anew, const Structures& f
   }
 }
 
-/// Tissue that may be a part of the liver as well as another organ, where the labels leave it out.
-void note_doubtful(const Painting& painting, const Doubtful& doubtful, SegmentationReport& report) {
-  if (!(doubtful.ml > 0.0)) return;
+/// "CODE ML @place", where the labels have `there` at that place.
+void note_body(const Painting& painting, const std::string& code, double ml, const Eigen::Vector3d& at_index,
+               Label there, SegmentationReport& report) {
+  if (!(ml > 0.0)) return;
   const Eigen::Vector3i last = painting.grid.size - Eigen::Vector3i::Ones();
-  const Eigen::Vector3i voxel =
-      doubtful.at_index.array().round().matrix().cast<int>().cwiseMax(0).cwiseMin(last);
-  if (painting.labels[static_cast<std::size_t>(painting.grid.offset(voxel))] == structure::kBackground)
-    report.notes.push_back("liver.perhaps_more " + std::to_string(std::lround(doubtful.ml)) +
+  const Eigen::Vector3i voxel = at_index.array().round().matrix().cast<int>().cwiseMax(0).cwiseMin(last);
+  if (painting.labels[static_cast<std::size_t>(painting.grid.offset(voxel))] == there)
+    report.notes.push_back(code + " " + std::to_string(std::lround(ml)) +
                            place_text(painting.grid.p_in_ct(voxel.cast<double>()).xyz));
 }
 
@@ -213,7 +213,10 @@ SegmentationReport report_on(const Image& whole, const LabelMap& labels, const O
   if (!outcome.region) note_sizes(labels.voxels, found, report);
   note_clicks_against(outcome, whole.grid, liver, report);
   if (!anew.liver) return report;
-  note_doubtful(outcome.painting, bodies.doubtful, report);
+  note_body(outcome.painting, "liver.perhaps_more", bodies.doubtful.ml, bodies.doubtful.at_index,
+            structure::kBackground, report);
+  for (const DarkBody& body : bodies.dark)
+    note_body(outcome.painting, "liver.dark_body", body.ml, body.at_index, structure::kParenchyma, report);
   note_liver_clicks(outcome, report);
   return report;
 }

@@ -29,6 +29,9 @@ class Notes {
         {"liver.perhaps_more",
          tr("%1 ml of tissue that looks like the liver and hangs on it were left out, as another organ. If "
             "they are liver, as a lobe behind a tumour is, click in them.")},
+        {"liver.dark_body",
+         tr("%1 ml of tissue in the liver are darker than it, and nobody clicked there. A tumour or cyst: "
+            "click it as a lesion. Gallbladder, stomach or bowel: click it as that, or as \"not liver\".")},
         {"image.metal", tr("Something denser than any bone, as metal is, lies in %1 slices of the liver or "
                            "next to them: its streaks may have taken liver away or added to it. "
                            "Check these slices.")},

@@ -58,6 +58,7 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   connect(add_attention(tr("Shows what is told of this segmentation")), &QPushButton::clicked, this,
           &SegmentationPanel::go_to_notes);
   connect(&seeds_->notes(), &NotesBox::changed, this, &SegmentationPanel::show_notes);
+  connect(&seeds_->notes(), &NotesBox::place_chosen, &views_, &ViewState::set_crosshair);
   show_notes();
   connect(offer_, &OfferBox::changed, this, &SegmentationPanel::show_offer);
   auto* escape = new QShortcut(Qt::Key_Escape, this);

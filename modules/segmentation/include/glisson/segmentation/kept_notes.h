@@ -3,9 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "glisson/core/frames.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/segmentation/segment.h"
 
@@ -26,6 +28,8 @@ bool is_told_of_the_whole(const std::string& note);
 
 /// " @x,y,z", LPS mm: the end of a note on a place. @param p_in_ct metres.
 std::string place_text(const Eigen::Vector3d& p_in_ct);
+/// What place_text() was put behind a note. Empty: nothing, or no place near a patient.
+std::optional<Point<CtFrame>> place_told(const std::string& note);
 /// Notes that are kept beside seeds that may change. Those that name a click by its number ("seed.liver_apart
 /// 4") get its place behind it (see place_text()); those that have one, or whose click is not among the
 /// seeds, stay as they are.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "glisson/core/frames.h"
 #include "glisson/ui/common/engine_bridge.h"
 
 class QLabel;
@@ -13,7 +14,7 @@ class QLabel;
 namespace glisson::ui {
 
 /// What is told of the case's labels, however they came about and whenever the case was opened; while a new
-/// segmentation is offered, of that one.
+/// segmentation is offered, of that one. Notes that tell a place have a link to it.
 class NotesBox : public QWidget {
   Q_OBJECT
  public:
@@ -24,20 +25,22 @@ class NotesBox : public QWidget {
   void show_proposal(const std::vector<std::string>& notes);
   void forget_proposal() { show_proposal({}); }
   /// How many are told.
-  std::size_t count() const { return count_; }
+  std::size_t count() const { return told_.size(); }
 
  signals:
   void changed();
+  void place_chosen(const Point<CtFrame>& place);
 
  private:
   void show_case();
+  QString words() const;
 
   EngineBridge& engine_;
   std::shared_ptr<const Image> image_;
   std::shared_ptr<const LabelMap> labels_;
   std::vector<std::string> proposal_;
   QLabel* words_ = nullptr;
-  std::size_t count_ = 0;
+  std::vector<std::string> told_;
 };
 
 }  // namespace glisson::ui
