@@ -89,7 +89,8 @@ void HoldingTest::WhatHoldsTheOrganStaysWhereAToolLifts_data() {
 }
 
 void HoldingTest::WhatHoldsTheOrganStaysWhereAToolLifts() {
-  // A part of the visible organ rises before a scope that moves. The cava stays where it is in the body.
+  // Most of the visible organ rises by up to 18 mm before a scope that moves. The cava stays where it is in
+  // the body: with the common motion of all points it would go along by 16 mm.
   QFETCH(bool, wall);
   const StereoRig rig = phantom::rig();
   const PatientModel model = phantom::model(8, 6, 3);
@@ -103,13 +104,15 @@ void HoldingTest::WhatHoldsTheOrganStaysWhereAToolLifts() {
   Tracker tracker(model, start, options);
   phantom::Wall behind;
   OverlayFrame overlay;
-  constexpr int kFrames = 10;
+  constexpr int kFrames = 12;
   const RigidMotion step{rotation_by({0.0, 0.004, 0.0}), {0.5e-3, 0.0, 0.3e-3}};
-  const Eigen::RowVector3d under = nodes.row(0);
+  Eigen::Index top = 0;
+  nodes.col(2).minCoeff(&top);
+  const Eigen::RowVector3d under = nodes.row(top);
   for (int k = 0; k <= kFrames; ++k) {
     Points organ = nodes;
     for (Eigen::Index i = 0; i < organ.rows(); ++i)
-      organ(i, 1) -= 1.2e-3 * k * std::exp(-(nodes.row(i) - under).squaredNorm() / (0.03 * 0.03));
+      organ(i, 2) -= 1.5e-3 * k * std::exp(-(nodes.row(i) - under).squaredNorm() / (0.035 * 0.035));
     const StereoFrame frame =
         phantom::film(model, behind.camera_from_wall.apply(organ), rig, k, wall ? &behind : nullptr);
     if (k == 0) tracker.begin(rig, frame, {});
@@ -121,7 +124,7 @@ void HoldingTest::WhatHoldsTheOrganStaysWhereAToolLifts() {
   const double moved = point_errors(cava.apply(model.mesh, overlay.nodes_in_camera),
                                     behind.camera_from_wall.apply(cava.apply(model.mesh, nodes)))
                            .mean;
-  QVERIFY2(moved < (wall ? 1.5e-3 : 3e-3), qPrintable(QString::number(1e3 * moved)));
+  QVERIFY2(moved < (wall ? 5.5e-3 : 8e-3), qPrintable(QString::number(1e3 * moved)));
 }
 
 QTEST_APPLESS_MAIN(HoldingTest)
