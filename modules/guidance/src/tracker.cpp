@@ -116,7 +116,7 @@ struct Tracker::Impl {
     clock = {};
     clock.tick(first.seconds);
     holding.emplace(patient, body.positions(), rig);
-    holding->scenery().replenish(*follower, body.surface().mesh(), held_out->masked(), clock);
+    look_for_scenery();
     since_key_frame = 0.0;
     look_again = {};
     judge.reset();
@@ -163,8 +163,13 @@ struct Tracker::Impl {
 
   /// The motion of what holds the organ is taken over at once, by it and the organ: mechanics would lag.
   void follow_camera() {
-    if (options.scope_moves && options.fixed_nodes.empty())
-      body.move(holding->follow(*follower, anchors, body.surface()));
+    if (has_scope_in_hand()) body.move(holding->follow(*follower, anchors, body.surface()));
+  }
+  bool has_scope_in_hand() const { return options.scope_moves && options.fixed_nodes.empty(); }
+
+  void look_for_scenery() {
+    if (has_scope_in_hand())
+      holding->scenery().replenish(*follower, body.surface().mesh(), held_out->masked(), clock);
   }
 
   void look_for_organ(const StereoFrame& frame, Validity validity) {
@@ -323,7 +328,7 @@ struct Tracker::Impl {
     overlay.residual = mean_norm(anchors.gaps(follower->points(), body.surface()));
     if (overlay.residual > options.maximum_residual) return Validity::residual_too_large;
     if (static_cast<int>(follower->points().size()) < (1.0 - kMissing) * options.points) replenish();
-    holding->scenery().replenish(*follower, body.surface().mesh(), held_out->masked(), clock);
+    look_for_scenery();
     return Validity::valid;
   }
 
