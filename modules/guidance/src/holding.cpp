@@ -73,7 +73,6 @@ Holding::Holding(const PatientModel& model, const Points& shape, const StereoRig
 
 void Holding::begin_scenery() {
   scene_before_ = from_start_;
-  scene_ = {};
   way_ = 0.0;
   scenery_.begin();
 }
@@ -91,10 +90,10 @@ RigidMotion Holding::follow(const StereoFollower& follower, const AnchoredPoints
   const RigidMotion before = from_start_, start = organ.after(before);
   std::optional<ExpectedMotion> expected;
   if (const auto scene = scenery_.follow(follower, organ, middle)) {
-    scene_ = scene->after(scene_);
     way_ += (scene->rotation * middle + scene->translation - middle).norm();
     const double grown = std::hypot(1.0, kOfWay * way_ / kBreath);
-    expected = ExpectedMotion{scene_.after(scene_before_), grown * kBreath, grown * kBreathTurns};
+    expected = ExpectedMotion{scenery_.camera_from_scene().after(scene_before_), grown * kBreath,
+                              grown * kBreathTurns};
     const double apart = (expected->motion.apply(rest) - start.apply(rest)).rowwise().norm().mean();
     if (apart > kFarthest * expected->deviation) expected.reset();
   }

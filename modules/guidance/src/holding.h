@@ -41,7 +41,6 @@ class Holding {
   Scenery scenery_;
   RigidMotion from_start_;    ///< the camera's frame now from that of the registration
   RigidMotion scene_before_;  ///< from_start_ when the scenery began
-  RigidMotion scene_;         ///< the camera's frame now from that one
   double way_ = 0.0;          ///< of the organ before the camera by the scope's motion since then, metres
 };
 

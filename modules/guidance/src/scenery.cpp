@@ -3,7 +3,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "glisson/core/statistics.h"
@@ -120,7 +122,7 @@ void Scenery::look(std::size_t index) {
   place.at = place.information.ldlt().solve(place.weighted);
 }
 
-std::optional<RigidMotion> Scenery::follow(const StereoFollower& follower, const RigidMotion& otherwise,
+std::optional<RigidMotion> Scenery::follow(const StereoFollower& follower, const RigidMotion& guess,
                                            const Eigen::Vector3d& organ) {
   const std::vector<std::optional<FollowedPoint>> found = follower.carried(points_);
   std::vector<FollowedPoint> points;
@@ -135,11 +137,10 @@ std::optional<RigidMotion> Scenery::follow(const StereoFollower& follower, const
   points_ = std::move(points);
   places_ = std::move(places);
   const RigidMotion before = camera_from_scene_;
-  camera_from_scene_ = otherwise.after(before);
   if (points_.size() < kLeast) return std::nullopt;
 
   const double focal = rig_.left.matrix(0, 0);
-  const Fit fit = fit_scene(points_, at, focal, camera_from_scene_);
+  const Fit fit = fit_scene(points_, at, focal, guess.after(before));
   std::vector<char> agrees(points_.size(), 0);
   double squares = 0.0;
   int agreeing = 0;
@@ -174,7 +175,7 @@ std::optional<RigidMotion> Scenery::follow(const StereoFollower& follower, const
   return camera_from_scene_.after(before.inverse());
 }
 
-void Scenery::replenish(StereoFollower& follower, const TriangleMesh& organ, const Picture& masked,
+void Scenery::replenish(const StereoFollower& follower, const TriangleMesh& organ, const Picture& masked,
                         const FrameClock& clock) {
   if (count() >= 7 * kPoints / 10 || clock.now() < look_at_) return;
   cv::Mat room = beside(organ, rig_.left);

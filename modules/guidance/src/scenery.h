@@ -22,18 +22,19 @@ class Scenery {
 
   /// Nothing is known: where the scope is now is where it begins. New places are looked for when it is time.
   void begin();
-  /// Follows what is known into the follower's present frame. @param otherwise how the scene has moved in the
-  /// left camera's frame since the last one if nothing here can tell (the organ's common motion); also where
-  /// the search begins. @param organ its middle, metres, in the present frame: there the motion must be
-  ///   known to 1 mm.
+  /// Follows what is known into the follower's present frame. @param guess how the scene may have moved in
+  /// the left camera's frame since the last one (as the organ): where the search begins. @param organ its
+  /// middle, metres, in the present frame: there the motion must be known to 1 mm.
   /// @return the scene's motion in the camera's frame since the last frame; empty: too few points, most of
-  ///   them disagree, or they tell too little of it.
-  std::optional<RigidMotion> follow(const StereoFollower& follower, const RigidMotion& otherwise,
+  ///   them disagree, or they tell too little of it. Then begin().
+  std::optional<RigidMotion> follow(const StereoFollower& follower, const RigidMotion& guess,
                                     const Eigen::Vector3d& organ);
+  /// The camera's frame of the last frame from that where it began.
+  const RigidMotion& camera_from_scene() const { return camera_from_scene_; }
   /// Looks for new places beside the organ, when many are missing: seldom where there are none.
   /// @param organ its surface in the left camera's frame. @param masked what is neither organ nor wall (left
   ///   picture), or empty.
-  void replenish(StereoFollower& follower, const TriangleMesh& organ, const Picture& masked,
+  void replenish(const StereoFollower& follower, const TriangleMesh& organ, const Picture& masked,
                  const FrameClock& clock);
 
   const std::vector<FollowedPoint>& points() const { return points_; }
@@ -53,8 +54,8 @@ class Scenery {
   std::vector<FollowedPoint> points_;
   std::vector<Place> places_;  ///< of the points
   RigidMotion camera_from_scene_;
-  double look_at_ = 0.0,
-         wait_ = 0.0;  ///< seconds of the clock: when to look for new ones, and how long after
+  double look_at_ = 0.0;  ///< seconds of the clock: when to look for new places
+  double wait_ = 0.0;     ///< seconds until the next time
 };
 
 }  // namespace glisson::guidance

@@ -42,7 +42,7 @@ struct TrackerOptions {
   double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances, Pa; 0: none
   double boundary_length = 0.05;         ///< of those structures, m: k = E A / L
   /// N/m a structure, of what they hang on, which breathes with the diaphragm. Large: fixed ends, as in the
-  /// paper. Why not: see the README.
+  /// paper. Why not: HOLDING.md.
   double boundary_tether = 100.0;
   /// A hand holds the laparoscope, and the patient breathes: the rigid motion that most of the organ in sight
   /// shows, near to that of the scene beside it, is the whole patient's before the camera, boundary springs'
